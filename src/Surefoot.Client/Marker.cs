@@ -1,0 +1,2 @@
+namespace Surefoot.Client;
+internal static class Marker;

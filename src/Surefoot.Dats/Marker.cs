@@ -1,0 +1,2 @@
+namespace Surefoot.Dats;
+internal static class Marker;

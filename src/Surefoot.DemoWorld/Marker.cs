@@ -1,0 +1,2 @@
+namespace Surefoot.DemoWorld;
+internal static class Marker;

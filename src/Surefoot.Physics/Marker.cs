@@ -1,0 +1,2 @@
+namespace Surefoot.Physics;
+internal static class Marker;

@@ -1,0 +1,2 @@
+namespace Surefoot.Protocol;
+internal static class Marker;

@@ -1,0 +1,2 @@
+namespace Surefoot.Workbench;
+internal static class Marker;
