@@ -1,0 +1,85 @@
+using System.Numerics;
+using Surefoot.Physics.Assets;
+using Surefoot.Physics.Transitions;
+using Surefoot.Physics.World;
+
+namespace Surefoot.Physics.Bodies;
+
+/// <summary>Something that stands in cells and can be run into: a static object, a piece of scenery, or a <see cref="PhysicsBody"/>.</summary>
+/// <remarks>Retail: the part of CPhysicsObj that statics share with bodies.</remarks>
+public class WorldObject
+{
+    /// <summary>An object with this id and shape.</summary>
+    /// <param name="id">Object id; 0 for scenery and other things without one.</param>
+    /// <param name="setup">Its shape; null for an object without parts.</param>
+    /// <param name="state">Physics state word.</param>
+    public WorldObject(uint id, SetupAsset? setup, PhysicsState state)
+    {
+        Id = id;
+        Setup = setup;
+        State = state;
+    }
+
+    /// <summary>Object id.</summary>
+    public uint Id { get; }
+
+    /// <summary>Shape; null for an object without parts.</summary>
+    public SetupAsset? Setup { get; }
+
+    /// <summary>Physics state word.</summary>
+    public PhysicsState State { get; protected internal set; }
+
+    /// <summary>What the server says of it.</summary>
+    public WeenieTraits Weenie { get; protected internal set; }
+
+    /// <summary>Where it is.</summary>
+    public Position Position => PositionField;
+
+    /// <summary>Uniform scale.</summary>
+    public float Scale { get; protected internal set; } = 1f;
+
+    /// <summary>The cell it is in, or null.</summary>
+    public ObjCell? Cell { get; protected internal set; }
+
+    /// <summary>What it is attached to; attached objects are not collided with.</summary>
+    public WorldObject? Parent { get; protected internal set; }
+
+    /// <summary>Velocity, metres a second, world axes.</summary>
+    public virtual Vector3 Velocity => Vector3.Zero;
+
+    /// <summary>It touches a plane.</summary>
+    public virtual bool HasContact => false;
+
+    /// <summary>Highest step it climbs, metres; 0.01 without a setup.</summary>
+    /// <remarks>Retail: CPhysicsObj::GetStepUpHeight @0x0050EA00.</remarks>
+    public float StepUpHeight => Setup is null ? 0.01f : (float)((double)Setup.StepUpHeight * Scale);
+
+    /// <summary>Deepest step it descends without leaving the ground, metres; 0.01 without a setup.</summary>
+    /// <remarks>Retail: CPhysicsObj::GetStepDownHeight @0x0050EA20.</remarks>
+    public float StepDownHeight => Setup is null ? 0.01f : (float)((double)Setup.StepDownHeight * Scale);
+
+    /// <summary>Height, metres; 0 without parts.</summary>
+    public float Height => Setup is null ? 0f : (float)((double)Setup.Height * Scale);
+
+    /// <summary>Radius, metres; 0 without parts.</summary>
+    public float Radius => Setup is null ? 0f : (float)((double)Setup.Radius * Scale);
+
+    /// <summary>Where it is, for those who move it.</summary>
+    private protected Position PositionField = Position.Nowhere;
+
+    /// <summary>Seats the object without any test.</summary>
+    internal void SeatAt(in Position position, ObjCell? cell)
+    {
+        PositionField = position;
+        Cell = cell;
+    }
+
+    /// <summary>Stops a moving object; others have no velocity.</summary>
+    internal virtual void KillVelocity()
+    {
+    }
+
+    /// <summary>Tests the spheres of a transition against this object (specification 02, 4.21).</summary>
+    /// <remarks>Retail: CPhysicsObj::FindObjCollisions @0x0050F050.</remarks>
+    internal virtual TransitionState FindObjCollisions(Transition transition) => TransitionState.OK;
+}

@@ -1,2 +1,0 @@
-namespace Surefoot.Physics;
-internal static class Marker;
