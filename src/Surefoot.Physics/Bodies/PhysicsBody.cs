@@ -1,6 +1,275 @@
+using System.Numerics;
 using Surefoot.Physics.Assets;
+using Surefoot.Physics.Geometry;
+using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Bodies;
 
-/// <summary>A body that moves.</summary>
-public sealed class PhysicsBody(uint id, SetupAsset? setup, PhysicsState state) : WorldObject(id, setup, state);
+/// <summary>
+/// A body that moves: state words, velocity, contact. Each verb has a file of its own: <c>Integration</c>, <c>Commit</c>, <c>Collisions</c>,
+/// <c>BodyPlacement</c>, <c>WorldEntry</c>.
+/// </summary>
+/// <remarks>Retail: CPhysicsObj; specification 02.</remarks>
+public sealed partial class PhysicsBody : WorldObject, IMotionBody
+{
+    /// <summary>Fastest a body is set to move, m/s.</summary>
+    public const float MaxVelocity = 50f;
+
+    private const float DefaultFriction = 0.95f;
+    private const float DefaultElasticity = 0.05f;
+    private const float MaxElasticity = 0.1f;
+
+    private readonly PhysicsEngine engine;
+    private Vector3 velocity;
+    private Vector3 omega;
+    private Plane contactPlane;
+    private double updateTime;
+
+    internal PhysicsBody(PhysicsEngine engine, uint id, SetupAsset? setup, PhysicsState state, WeenieTraits weenie, float scale)
+        : base(id, setup, state)
+    {
+        this.engine = engine;
+        Weenie = weenie;
+        Scale = scale;
+        updateTime = engine.Now;
+    }
+
+    /// <summary>Changing bits: contact, on walkable, sliding, active.</summary>
+    public TransientState Transient { get; private set; }
+
+    /// <inheritdoc/>
+    public override Vector3 Velocity => velocity;
+
+    /// <summary>Acceleration, m/s², world axes.</summary>
+    public Vector3 Acceleration { get; private set; }
+
+    /// <summary>Angular velocity, rad/s, world axes.</summary>
+    public Vector3 Omega => omega;
+
+    /// <summary>Distance covered in the last quantum divided by the quantum, m/s.</summary>
+    /// <remarks>Retail: CPhysicsObj::get_velocity @0x005113C0 returns this.</remarks>
+    public Vector3 AchievedVelocity { get; private set; }
+
+    /// <summary>The plane touched last, in the block frame of <see cref="ContactPlaneCellId"/>; it holds while <see cref="HasContact"/>.</summary>
+    public Plane ContactPlane => contactPlane;
+
+    /// <summary>Cell whose block frame <see cref="ContactPlane"/> is in.</summary>
+    public uint ContactPlaneCellId { get; private set; }
+
+    /// <summary>Horizontal unit normal of the wall slid along, or zero.</summary>
+    public Vector3 SlidingNormal { get; private set; }
+
+    /// <inheritdoc/>
+    public override bool HasContact => Has(TransientState.Contact);
+
+    /// <summary>Stands on a plane that can be walked on.</summary>
+    public bool OnWalkable => Has(TransientState.OnWalkable);
+
+    /// <summary>Is being simulated.</summary>
+    public bool IsActive => Has(TransientState.Active);
+
+    /// <summary>Fraction of the normal speed given back by a bounce, 0 to 0.1.</summary>
+    public float Elasticity { get; private set; } = DefaultElasticity;
+
+    /// <summary>Fraction of the speed lost in a second on the ground, 0 to 1.</summary>
+    public float Friction { get; private set; } = DefaultFriction;
+
+    /// <summary>Simulated time this body has reached, seconds.</summary>
+    public double SimulatedTime => updateTime;
+
+    /// <summary>Length of the last quantum simulated, seconds.</summary>
+    public float LastQuantum { get; private set; }
+
+    /// <summary>Simulated time and place at the beginning of the last quantum, for drawing between quanta.</summary>
+    public Position PreviousPosition { get; private set; } = Position.Nowhere;
+
+    /// <summary>What the last transition of this body met.</summary>
+    public int LastHitCount { get; private set; }
+
+    /// <summary>Unit normal of the last collision of the last transition, or null.</summary>
+    public Vector3? LastCollisionNormal { get; private set; }
+
+    /// <summary>The last transition collided with terrain, a building, a room or a static object while without contact.</summary>
+    public bool LastCollidedWithEnvironment { get; private set; }
+
+    /// <summary>The side that wants to move; null for a body without motions.</summary>
+    public IBodyMovement? Movement { get; private set; }
+
+    /// <summary>Adjusts motion towards a server's positions; null without one.</summary>
+    public IPositionManager? PositionManager { get; set; }
+
+    /// <summary>Is told of collisions.</summary>
+    public ICollisionListener? Listener { get; set; }
+
+    /// <summary>The last motion was asked for here and not by a server.</summary>
+    public bool LastMoveWasAutonomous { get; set; }
+
+    /// <inheritdoc/>
+    public bool HasGravity => State.HasFlag(PhysicsState.Gravity);
+
+    /// <inheritdoc/>
+    public bool HasCell => Cell is not null;
+
+    /// <inheritdoc/>
+    public bool IsFullyConstrained => PositionManager is { IsFullyConstrained: true };
+
+    /// <summary>The engine the body lives in.</summary>
+    public PhysicsEngine Engine => engine;
+
+    /// <summary>Gives the body a side that wants to move, and wakes it.</summary>
+    public void AttachMovement(IBodyMovement movement)
+    {
+        ArgumentNullException.ThrowIfNull(movement);
+        Movement = movement;
+        SetActive(true);
+    }
+
+    /// <summary>Sets the velocity, at most <see cref="MaxVelocity"/>, and wakes the body; a change within the tolerance is ignored.</summary>
+    /// <param name="value">m/s, world axes.</param>
+    /// <exception cref="ArgumentException">A component is NaN or infinite.</exception>
+    /// <remarks>Retail: CPhysicsObj::set_velocity @0x005113F0.</remarks>
+    public void SetVelocity(Vector3 value)
+    {
+        ThrowIfNotFinite(value, nameof(value));
+        if (!RetailMath.NearlyEqual(value, velocity))
+        {
+            velocity = value;
+            if (RetailMath.Length(velocity) > MaxVelocity) velocity = RetailMath.Scale(RetailMath.Normalize(velocity), MaxVelocity);
+        }
+
+        SetActive(true);
+    }
+
+    /// <summary>Sets the velocity from the body's own axes.</summary>
+    /// <param name="value">m/s; x right, y ahead, z up.</param>
+    /// <remarks>Retail: CPhysicsObj::set_local_velocity @0x005114D0.</remarks>
+    public void SetLocalVelocity(Vector3 value)
+    {
+        ThrowIfNotFinite(value, nameof(value));
+        SetVelocity(PositionField.Frame.LocalToGlobalVector(value));
+    }
+
+    /// <summary>Velocity in the body's own axes, m/s.</summary>
+    /// <remarks>Retail: CPhysicsObj::get_local_physics_velocity @0x00512140.</remarks>
+    public Vector3 LocalVelocity => PositionField.Frame.GlobalToLocalVector(velocity);
+
+    /// <summary>Sets the angular velocity, rad/s, world axes.</summary>
+    /// <remarks>Retail: CPhysicsObj::set_omega @0x0050F6D0.</remarks>
+    public void SetOmega(Vector3 value)
+    {
+        ThrowIfNotFinite(value, nameof(value));
+        omega = value;
+    }
+
+    /// <summary>Stores a new state word. Gravity takes effect at the next commit or change of ground.</summary>
+    /// <remarks>Retail: CPhysicsObj::set_state @0x00514DD0.</remarks>
+    public void SetState(PhysicsState value) => State = value;
+
+    /// <summary>Sets what the server says of the body.</summary>
+    public void SetWeenie(WeenieTraits value) => Weenie = value;
+
+    /// <summary>Sets the elasticity, held between 0 and 0.1.</summary>
+    /// <remarks>Retail: CPhysicsObj::set_elasticity @0x0050FD40.</remarks>
+    public void SetElasticity(float value)
+    {
+        if (float.IsNaN(value)) throw new ArgumentException("The elasticity is not a number.", nameof(value));
+        Elasticity = Math.Clamp(value, 0f, MaxElasticity);
+    }
+
+    /// <summary>Sets the friction; values outside 0 to 1 are ignored, as in retail.</summary>
+    public void SetFriction(float value)
+    {
+        if (value is >= 0 and <= 1) Friction = value;
+    }
+
+    /// <summary>Turns the body to a compass heading in degrees (0 north, 90 east) without any test.</summary>
+    /// <remarks>Retail: CPhysicsObj::set_heading @0x00514160.</remarks>
+    public void SetHeading(float degrees)
+    {
+        if (!float.IsFinite(degrees)) throw new ArgumentException("The heading is not finite.", nameof(degrees));
+        PositionField.Frame.SetHeading(degrees);
+    }
+
+    /// <summary>Wakes the body or puts it to sleep; statics stay asleep.</summary>
+    /// <remarks>Retail: CPhysicsObj::set_active @0x0050FC40.</remarks>
+    public bool SetActive(bool on)
+    {
+        if (!on)
+        {
+            Transient &= ~TransientState.Active;
+            return true;
+        }
+
+        if (State.HasFlag(PhysicsState.Static)) return false;
+        if (!IsActive) updateTime = engine.Now;
+        Transient |= TransientState.Active;
+        return true;
+    }
+
+    /// <summary>Writes the on-walkable bit, tells the movement side, and renews the acceleration.</summary>
+    /// <remarks>Retail: CPhysicsObj::set_on_walkable @0x00511310.</remarks>
+    public void SetOnWalkable(bool on)
+    {
+        bool before = OnWalkable;
+        Set(TransientState.OnWalkable, on);
+        if (before && !on) Movement?.LeaveGround();
+        else if (!before && on) Movement?.HitGround();
+        CalcAcceleration();
+    }
+
+    /// <summary>
+    /// Re-seats the body in the state of a recorded step, without any test: for replays, for saved states, and for servers that check a
+    /// client's report.
+    /// </summary>
+    public void Seat(in BodySeat seat)
+    {
+        SeatAt(seat.Position, engine.World.GetVisible(seat.Position.CellId));
+        velocity = seat.Velocity;
+        Transient = (Transient & TransientState.Active) | (seat.Transient & ~TransientState.Active);
+        contactPlane = seat.ContactPlane;
+        ContactPlaneCellId = seat.ContactPlaneCellId;
+        SlidingNormal = seat.SlidingNormal;
+        CalcAcceleration();
+    }
+
+    /// <inheritdoc/>
+    internal override void KillVelocity() => SetVelocity(Vector3.Zero);
+
+    /// <summary>False when the velocity leads away from the contact plane.</summary>
+    /// <remarks>Retail: CPhysicsObj::check_contact @0x0050F5B0.</remarks>
+    private bool CheckContact() => !(HasContact && RetailMath.Dot(velocity, contactPlane.Normal) > RetailMath.Epsilon);
+
+    /// <summary>Gravity, or nothing; a body that stands does not turn by itself either.</summary>
+    /// <remarks>Retail: CPhysicsObj::calc_acceleration @0x00510950.</remarks>
+    private void CalcAcceleration()
+    {
+        if (HasContact && OnWalkable && !State.HasFlag(PhysicsState.Sledding))
+        {
+            Acceleration = Vector3.Zero;
+            omega = Vector3.Zero;
+        }
+        else
+        {
+            Acceleration = State.HasFlag(PhysicsState.Gravity) ? new Vector3(0, 0, Gravity) : Vector3.Zero;
+        }
+    }
+
+    private bool Has(TransientState bit) => (Transient & bit) != 0;
+
+    private void Set(TransientState bit, bool on) => Transient = on ? Transient | bit : Transient & ~bit;
+
+    private static void ThrowIfNotFinite(in Vector3 value, string name)
+    {
+        if (!RetailMath.IsFinite(value)) throw new ArgumentException($"A component of {value} is not finite.", name);
+    }
+}
+
+/// <summary>The state of a body between two quanta.</summary>
+/// <param name="Position">Cell and frame.</param>
+/// <param name="Velocity">m/s, world axes.</param>
+/// <param name="Transient">Changing bits.</param>
+/// <param name="ContactPlane">The plane touched.</param>
+/// <param name="ContactPlaneCellId">Cell whose block frame the plane is in.</param>
+/// <param name="SlidingNormal">Normal of the wall slid along.</param>
+public readonly record struct BodySeat(
+    Position Position, Vector3 Velocity, TransientState Transient, Plane ContactPlane, uint ContactPlaneCellId, Vector3 SlidingNormal);

@@ -98,6 +98,15 @@ public sealed partial class Transition
         return ValidatePlacementTransition(TransitionalInsert(AttemptsPerStep));
     }
 
+    /// <summary>Does the object overlap the body where it stands?</summary>
+    /// <remarks>Retail: CTransition::check_collisions @0x0050AA00.</remarks>
+    internal bool CheckCollisions(Bodies.WorldObject target)
+    {
+        Path.InsertType = InsertType.Placement;
+        Path.SetCheckPos(Path.CurrPos, Path.CurrCell);
+        return target.FindObjCollisions(this) != TransitionState.OK;
+    }
+
     /// <remarks>Retail: CTransition::placement_insert @0x0050B1D0.</remarks>
     private TransitionState PlacementInsert()
     {

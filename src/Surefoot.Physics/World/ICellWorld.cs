@@ -1,3 +1,5 @@
+using System.Numerics;
+using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Transitions;
 
 namespace Surefoot.Physics.World;
@@ -15,4 +17,30 @@ public interface ICellWorld
     /// </summary>
     /// <remarks>Retail: CObjCell::find_cell_list @0x0052B960; specification 03, 4.8.4.</remarks>
     void FindCellList(CellArray array, SpherePath path, bool wantHome, ref ObjCell? home);
+
+    /// <summary>
+    /// Finds the cell a position belongs to, correcting its id and, outdoors, its coordinates. False when there is none; the cell may
+    /// also be null when it is known but not loaded.
+    /// </summary>
+    /// <param name="position">The position to put right.</param>
+    /// <param name="center">Centre of the body's first sphere in its own frame.</param>
+    /// <param name="cell">The cell, null when it is not loaded.</param>
+    /// <remarks>Retail: CPhysicsObj::AdjustPosition @0x00511D80; specification 02, 4.16.</remarks>
+    bool AdjustPosition(ref Position position, in Vector3 center, out ObjCell? cell);
+
+    /// <summary>Lists an object in exactly these cells.</summary>
+    /// <remarks>Retail: CPhysicsObj::add_shadows_to_cells @0x00514AE0 after remove_shadows_from_cells.</remarks>
+    void PlaceShadows(WorldObject item, CellArray cells);
+
+    /// <summary>Lists an object in no cell.</summary>
+    /// <remarks>Retail: CPhysicsObj::remove_shadows_from_cells @0x00511230.</remarks>
+    void RemoveShadows(WorldObject item);
+
+    /// <summary>Lists an object in every cell that its shape reaches from where it is.</summary>
+    /// <remarks>Retail: CPhysicsObj::calc_cross_cells @0x00515230.</remarks>
+    void CalcCrossCells(WorldObject item);
+
+    /// <summary>Does any other body overlap this one where it stands?</summary>
+    /// <remarks>Retail: CPhysicsObj::ethereal_check_for_collisions @0x00510A40.</remarks>
+    bool AnyOverlaps(PhysicsBody body);
 }

@@ -31,6 +31,26 @@ internal sealed class StubWorld : ICellWorld
         if (wantHome) home = cell;
     }
 
+    public bool AdjustPosition(ref Position position, in Vector3 center, out ObjCell? adjusted)
+    {
+        adjusted = cell;
+        return true;
+    }
+
+    public void PlaceShadows(WorldObject item, CellArray cells)
+    {
+    }
+
+    public void RemoveShadows(WorldObject item)
+    {
+    }
+
+    public void CalcCrossCells(WorldObject item)
+    {
+    }
+
+    public bool AnyOverlaps(PhysicsBody body) => false;
+
     internal static Plane Flat(float height) => new(0, 0, 1, -height);
 
     /// <summary>A slope of the given steepness whose foot (rising towards +x) or brink (falling) is at x = 1.</summary>
@@ -41,12 +61,15 @@ internal sealed class StubWorld : ICellWorld
         return rising ? new Plane(-sine, 0, cosine, sine) : new Plane(sine, 0, cosine, -sine);
     }
 
-    internal static PhysicsBody Walker(params Sphere[] spheres)
+    internal static SetupAsset Setup(params Sphere[] spheres) => new()
     {
-        if (spheres.Length == 0) spheres = [new(new Vector3(0, 0, 0.48f), 0.48f), new(new Vector3(0, 0, 1.35f), 0.48f)];
-        SetupAsset setup = new() { Id = 0x02000001, Spheres = spheres, Height = 1.83f, Radius = 0.48f, StepUpHeight = 0.6f, StepDownHeight = 0.6f };
-        return new PhysicsBody(1, setup, PhysicsState.Gravity | PhysicsState.ReportCollisions);
-    }
+        Id = 0x02000001, Spheres = spheres, Height = 1.83f, Radius = spheres[0].Radius, StepUpHeight = 0.6f, StepDownHeight = 0.6f,
+    };
+
+    internal PhysicsBody Walker() => new PhysicsEngine(this).CreateBody(
+        1,
+        Setup(new Sphere(new Vector3(0, 0, 0.48f), 0.48f), new Sphere(new Vector3(0, 0, 1.35f), 0.48f)),
+        PhysicsState.Gravity | PhysicsState.ReportCollisions);
 
     /// <summary>A transition from <paramref name="start"/> by <paramref name="displacement"/>, seeded with the ground's plane where the mover has contact.</summary>
     internal Transition Sweep(Vector3 start, Vector3 displacement, MoverFlags flags, int stationary = 0, Vector3? sliding = null)

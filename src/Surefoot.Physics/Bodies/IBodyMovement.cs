@@ -1,0 +1,48 @@
+using Surefoot.Physics.Geometry;
+
+namespace Surefoot.Physics.Bodies;
+
+/// <summary>
+/// The side of a body that wants to move: its motion interpreter and its animations. The body calls it once per quantum and when
+/// the ground is hit or left.
+/// </summary>
+/// <remarks>Retail: MovementManager together with the motion side of CPartArray.</remarks>
+public interface IBodyMovement
+{
+    /// <summary>The body now stands; the bit is already written. Must not start a transition.</summary>
+    void HitGround();
+
+    /// <summary>The body no longer stands; the bit is already written. Must not start a transition.</summary>
+    void LeaveGround();
+
+    /// <summary>Adds the motion of one quantum, in the body's own frame, metres and radians.</summary>
+    /// <param name="quantum">Seconds.</param>
+    /// <param name="offset">Starts as the identity.</param>
+    void AccumulateRootMotion(float quantum, ref Frame offset);
+
+    /// <summary>Called after the quantum was committed: pending motions and animations are looked at.</summary>
+    void UseTime();
+
+    /// <summary>The body came into the world: links are dropped.</summary>
+    void HandleEnterWorld();
+
+    /// <summary>The body leaves the world: everything pending ends.</summary>
+    void HandleExitWorld();
+}
+
+/// <summary>Adjusts the motion of a quantum towards where a server says the body is.</summary>
+/// <remarks>Retail: PositionManager (interpolation, sticky, constraint).</remarks>
+public interface IPositionManager
+{
+    /// <summary>May replace or scale the motion of one quantum, in the body's own frame.</summary>
+    void AdjustOffset(ref Frame offset, float quantum);
+
+    /// <summary>Called after the quantum was committed.</summary>
+    void UseTime();
+
+    /// <summary>A server's correction holds the body in place: it may not jump.</summary>
+    bool IsFullyConstrained { get; }
+
+    /// <summary>The body was teleported: whatever is pending ends.</summary>
+    void Stop();
+}

@@ -1,0 +1,50 @@
+using System.Numerics;
+
+namespace Surefoot.Physics.Bodies;
+
+/// <summary>FNV-1a over the bits of a state, 64 bits wide.</summary>
+internal struct StateHash()
+{
+    internal ulong Value { get; private set; } = 0xCBF29CE484222325;
+
+    internal void Add(ulong bits)
+    {
+        for (int i = 0; i < 8; i++)
+        {
+            Value = (Value ^ (bits & 0xFF)) * 0x100000001B3;
+            bits >>= 8;
+        }
+    }
+
+    internal void Add(float value) => Add(BitConverter.SingleToUInt32Bits(value));
+
+    internal void Add(in Vector3 value)
+    {
+        Add(value.X);
+        Add(value.Y);
+        Add(value.Z);
+    }
+}
+
+/// <content>What of a body is state.</content>
+public sealed partial class PhysicsBody
+{
+    internal void AddTo(ref StateHash hash)
+    {
+        hash.Add(Id);
+        hash.Add((ulong)State);
+        hash.Add((ulong)Transient);
+        hash.Add(PositionField.CellId);
+        hash.Add(PositionField.Frame.Origin);
+        Quaternion q = PositionField.Frame.Rotation;
+        hash.Add(new Vector3(q.X, q.Y, q.Z));
+        hash.Add(q.W);
+        hash.Add(velocity);
+        hash.Add(omega);
+        hash.Add(contactPlane.Normal);
+        hash.Add(contactPlane.D);
+        hash.Add(ContactPlaneCellId);
+        hash.Add(SlidingNormal);
+        hash.Add(BitConverter.DoubleToUInt64Bits(updateTime));
+    }
+}

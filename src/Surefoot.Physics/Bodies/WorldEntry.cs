@@ -1,0 +1,140 @@
+using Surefoot.Physics.Transitions;
+using Surefoot.Physics.World;
+
+namespace Surefoot.Physics.Bodies;
+
+/// <content>Entering and leaving the world and its cells.</content>
+public sealed partial class PhysicsBody
+{
+    /// <summary>The body waits for its cell to be loaded.</summary>
+    public bool IsLost { get; private set; }
+
+    /// <summary>Comes into the world at a position, moved to a free place near by when it is taken.</summary>
+    /// <returns>True when it is in the world, or waits for its cell to be loaded.</returns>
+    /// <remarks>Retail: CPhysicsObj::enter_world(pos) @0x00516310.</remarks>
+    public bool EnterWorld(in Position position, bool slide = true)
+    {
+        ThrowIfBad(position);
+        if (Parent is not null) return false;
+        StorePosition(position);
+        updateTime = engine.Now;
+        PlacementFlags flags = PlacementFlags.Placement | (slide ? PlacementFlags.Slide : PlacementFlags.None);
+        if (SetPosition(new PlacementRequest(PositionField, flags)) != PlacementResult.OK) return false;
+        if (!IsLost) SetActive(true);
+        Movement?.HandleEnterWorld();
+        return true;
+    }
+
+    /// <summary>Leaves the world; every touch ends.</summary>
+    /// <remarks>Retail: CPhysicsObj::leave_world @0x005155A0.</remarks>
+    public void LeaveWorld()
+    {
+        ReportCollisionEnd(updateTime, force: true);
+        IsLost = false;
+        Transient &= ~TransientState.Active;
+        engine.World.RemoveShadows(this);
+        LeaveCell();
+        PositionField.CellId = 0;
+        ClearTransientStates();
+    }
+
+    /// <summary>What a teleport ends: touches, corrections under way.</summary>
+    /// <remarks>Retail: CPhysicsObj::teleport_hook @0x00514ED0.</remarks>
+    public void TeleportHook()
+    {
+        PositionManager?.Stop();
+        ReportCollisionEnd(updateTime, force: true);
+    }
+
+    /// <summary>Makes the body let others through, or solid again as soon as nothing overlaps it.</summary>
+    /// <returns>False when it has to wait.</returns>
+    /// <remarks>Retail: CPhysicsObj::set_ethereal @0x00511C40.</remarks>
+    public bool SetEthereal(bool on)
+    {
+        if (on)
+        {
+            State |= PhysicsState.Ethereal;
+            Transient &= ~TransientState.CheckEthereal;
+            return true;
+        }
+
+        State &= ~PhysicsState.Ethereal;
+        if (Parent is not null || Cell is null || !engine.World.AnyOverlaps(this))
+        {
+            Transient &= ~TransientState.CheckEthereal;
+            return true;
+        }
+
+        State |= PhysicsState.Ethereal;
+        Transient |= TransientState.CheckEthereal;
+        return false;
+    }
+
+    /// <summary>Would <paramref name="target"/> be hit by this body where it stands?</summary>
+    /// <remarks>Retail: CPhysicsObj::check_collision @0x00512ED0.</remarks>
+    internal bool Overlaps(WorldObject target)
+    {
+        if (State.HasFlag(PhysicsState.Static)) return false;
+        if (!engine.Transitions.TryRent(out Transition? transition)) return false;
+        SeedMover(transition, SeedContact(transition));
+        transition.Path.InitPath(Cell, hasBegin: true, PositionField, PositionField);
+        bool hit = transition.CheckCollisions(target);
+        engine.Transitions.Return();
+        return hit;
+    }
+
+    /// <summary>The landblock that holds the body's cell goes away; the body waits for it.</summary>
+    /// <remarks>Retail: CPhysicsObj::leave_visibility @0x00514220.</remarks>
+    internal void LeaveVisibility() => GoToLostCell(PositionField);
+
+    /// <summary>The cell the body waited for is there again.</summary>
+    /// <remarks>Retail: CPhysicsObj::reenter_visibility @0x00516250.</remarks>
+    internal void ReenterVisibility() => EnterWorld(PositionField);
+
+    private void PrepareToEnterWorld()
+    {
+        updateTime = engine.Now;
+        IsLost = false;
+        SetActive(true);
+    }
+
+    /// <summary>Parks the body at a place whose cell is not loaded.</summary>
+    private void GoToLostCell(in Position place)
+    {
+        engine.World.RemoveShadows(this);
+        LeaveCell();
+        StorePosition(place);
+        IsLost = true;
+        Transient &= ~TransientState.Active;
+    }
+
+    /// <remarks>Retail: CPhysicsObj::store_position @0x005141A0.</remarks>
+    private void StorePosition(Position place)
+    {
+        if (CellIds.IsOutdoor(place.CellId)) place.AdjustToOutside();
+        PositionField.CellId = place.CellId;
+        SetFrame(place.Frame);
+    }
+
+    /// <remarks>Retail: CPhysicsObj::change_cell @0x00513390.</remarks>
+    private void ChangeCell(ObjCell cell)
+    {
+        LeaveCell();
+        Cell = cell;
+        PositionField.CellId = cell.Id;
+    }
+
+    private void LeaveCell() => Cell = null;
+
+    /// <remarks>Retail: CPhysicsObj::clear_transient_states @0x00511BF0.</remarks>
+    private void ClearTransientStates()
+    {
+        Transient &= ~TransientState.Contact;
+        CalcAcceleration();
+        bool stood = OnWalkable;
+        Transient &= ~(TransientState.OnWalkable | TransientState.WaterContact);
+        if (stood) Movement?.LeaveGround();
+        CalcAcceleration();
+        Transient &= ~(TransientState.Sliding | TransientState.StationaryMask | TransientState.Active | TransientState.CheckEthereal);
+    }
+}
