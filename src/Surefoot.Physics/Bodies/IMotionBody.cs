@@ -1,4 +1,5 @@
 using System.Numerics;
+using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Bodies;
 
@@ -22,7 +23,13 @@ public interface IMotionBody
     bool IsFullyConstrained { get; }
 
     /// <summary>The last motion was asked for by the local player and not by a server.</summary>
-    bool LastMoveWasAutonomous { get; }
+    bool LastMoveWasAutonomous { get; set; }
+
+    /// <summary>Where it is.</summary>
+    Position Position { get; }
+
+    /// <summary>The plane touched last, in the coordinates of its landblock; it holds while <see cref="HasContact"/>.</summary>
+    Plane ContactPlane { get; }
 
     /// <summary>Velocity in the body's own axes, m/s: x right, y ahead, z up.</summary>
     Vector3 LocalVelocity { get; }

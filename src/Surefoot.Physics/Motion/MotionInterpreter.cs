@@ -1,0 +1,165 @@
+using System.Numerics;
+using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Geometry;
+
+namespace Surefoot.Physics.Motion;
+
+/// <summary>What the motion interpreter ends when a new motion begins.</summary>
+public interface IMotionInterruption
+{
+    /// <summary>Ends a move-to under way.</summary>
+    void CancelMoveTo();
+
+    /// <summary>Lets go of what the body sticks to.</summary>
+    void Unstick();
+}
+
+/// <summary>A motion that is not done yet.</summary>
+/// <param name="ContextId">Identifies the request.</param>
+/// <param name="Motion">The motion.</param>
+/// <param name="JumpError">Why the body may not jump until this is done; <see cref="MotionError.None"/> when it may.</param>
+public readonly record struct PendingMotion(uint ContextId, MotionCommand Motion, MotionError JumpError);
+
+/// <summary>
+/// Turns what the player asks for (<see cref="Raw"/>) or what a server says (<see cref="Interpreted"/>) into motions of the body. Each group of verbs
+/// has a file of its own: <c>Apply</c> (both states), <c>Motions</c> (single motions), <c>Jump</c>, <c>Speeds</c>.
+/// </summary>
+/// <remarks>Retail: CMotionInterp; specification 01, section 4.</remarks>
+public sealed partial class MotionInterpreter
+{
+    private readonly RingQueue<PendingMotion> pending = new();
+    private IMotionBody? body;
+    private IWeenieObj? weenie;
+
+    /// <summary>An interpreter for a body with these animations.</summary>
+    /// <param name="animation">The animations; null for a body without a motion table.</param>
+    /// <param name="body">The body; may be set later.</param>
+    /// <param name="weenie">What the game knows of it; may be set later.</param>
+    public MotionInterpreter(MotionTableManager? animation, IMotionBody? body = null, IWeenieObj? weenie = null)
+    {
+        Animation = animation;
+        if (animation is not null) animation.MotionDone = (_, success) => MotionDone(success);
+        this.body = body;
+        this.weenie = weenie;
+    }
+
+    /// <summary>The animations, or null.</summary>
+    public MotionTableManager? Animation { get; }
+
+    /// <summary>The body, or null.</summary>
+    public IMotionBody? Body => body;
+
+    /// <summary>What the game knows of the body, or null.</summary>
+    public IWeenieObj? Weenie => weenie;
+
+    /// <summary>What is ended when a new motion begins; null when the body neither moves to nor sticks to anything.</summary>
+    public IMotionInterruption? Interruption { get; set; }
+
+    /// <summary>What the player asks for.</summary>
+    public RawMotionState Raw { get; } = new();
+
+    /// <summary>What the body does.</summary>
+    public InterpretedMotionState Interpreted { get; } = new();
+
+    /// <summary><see cref="EnterDefaultState"/> was called.</summary>
+    public bool IsInitialised { get; private set; }
+
+    /// <summary>The body stands and charges a jump; where it goes is decided by the keys held when it jumps.</summary>
+    public bool StandingLongJump { get; internal set; }
+
+    /// <summary>Charge of the jump under way, 0 without one.</summary>
+    public float JumpExtent { get; private set; }
+
+    /// <summary>Run rate a server told, used when the weenie does not know its own.</summary>
+    public float MyRunRate { get; private set; } = 1f;
+
+    /// <summary>Factor between the forward speed and the run rate; 1 in play.</summary>
+    public float CurrentSpeedFactor { get; } = 1f;
+
+    /// <summary>Stamp of the last action a server ordered, 15 bits.</summary>
+    public uint ServerActionStamp { get; private set; }
+
+    /// <summary>Number of motions that are not done.</summary>
+    public int PendingCount => pending.Count;
+
+    /// <summary>Motions wait to be done.</summary>
+    /// <remarks>Retail: CMotionInterp::motions_pending @0x00527FE0.</remarks>
+    public bool MotionsPending => pending.Count > 0;
+
+    /// <summary>A motion that is not done, the oldest at 0.</summary>
+    public PendingMotion GetPending(int index) => pending[index];
+
+    private bool IsCreature => weenie is null || weenie.IsCreature;
+
+    private static bool Stands(IMotionBody b) => b.HasContact && b.OnWalkable;
+
+    /// <summary>Takes another weenie and acts by its speeds.</summary>
+    /// <remarks>Retail: CMotionInterp::SetWeenieObject @0x00528920.</remarks>
+    public void SetWeenieObject(IWeenieObj? value)
+    {
+        weenie = value;
+        if (body is not null && IsInitialised) ApplyCurrentMovement(cancelMoveTo: true, disallowJump: false);
+    }
+
+    /// <summary>Takes another body and makes it act.</summary>
+    /// <remarks>Retail: CMotionInterp::SetPhysicsObject @0x00528970.</remarks>
+    public void SetPhysicsObject(IMotionBody? value)
+    {
+        body = value;
+        if (body is not null && IsInitialised) ApplyCurrentMovement(cancelMoveTo: true, disallowJump: false);
+    }
+
+    /// <summary>Both states to their defaults, the animations to the beginning.</summary>
+    /// <remarks>Retail: CMotionInterp::enter_default_state @0x00528C80.</remarks>
+    public void EnterDefaultState()
+    {
+        Raw.CopyFrom(new RawMotionState());
+        Interpreted.Reset();
+        Animation?.InitializeState();
+        AddToQueue(0, MotionCommand.Ready, MotionError.None);
+        IsInitialised = true;
+        LeaveGround();
+    }
+
+    /// <summary>The oldest motion is done.</summary>
+    /// <param name="success">It was played to its end; retail does not look.</param>
+    /// <remarks>Retail: CMotionInterp::MotionDone @0x00527EC0.</remarks>
+    public void MotionDone(bool success)
+    {
+        _ = success;
+        if (body is null || pending.Count == 0) return;
+        if (pending[0].Motion.IsAction())
+        {
+            Interruption?.Unstick();
+            Interpreted.RemoveAction();
+            Raw.RemoveAction();
+        }
+
+        pending.Dequeue();
+    }
+
+    /// <summary>The body leaves the world: everything pending is done.</summary>
+    /// <remarks>Retail: CMotionInterp::HandleExitWorld @0x00527F30.</remarks>
+    public void HandleExitWorld()
+    {
+        while (body is not null && pending.Count > 0) MotionDone(success: false);
+    }
+
+    private void AddToQueue(uint contextId, MotionCommand motion, MotionError jumpError) =>
+        pending.Enqueue(new PendingMotion(contextId, motion, jumpError));
+
+    private void RemoveLinkAnimations() => Animation?.Sequence.RemoveAllLinks();
+
+    internal static void ThrowIfNotFinite(InterpretedMotionState state)
+    {
+        ThrowIfNotFinite(state.ForwardSpeed, nameof(state));
+        ThrowIfNotFinite(state.SidestepSpeed, nameof(state));
+        ThrowIfNotFinite(state.TurnSpeed, nameof(state));
+        for (int i = 0; i < state.ActionCount; i++) ThrowIfNotFinite(state.GetAction(i).Speed, nameof(state));
+    }
+
+    private static void ThrowIfNotFinite(float value, string name)
+    {
+        if (!float.IsFinite(value)) throw new ArgumentException($"The speed {value} is not finite.", name);
+    }
+}
