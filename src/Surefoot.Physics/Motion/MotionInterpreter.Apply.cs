@@ -1,5 +1,3 @@
-using Surefoot.Physics.Bodies;
-
 namespace Surefoot.Physics.Motion;
 
 /// <content>Putting a whole state into effect.</content>

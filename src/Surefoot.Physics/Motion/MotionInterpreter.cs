@@ -1,6 +1,4 @@
-using System.Numerics;
 using Surefoot.Physics.Bodies;
-using Surefoot.Physics.Geometry;
 
 namespace Surefoot.Physics.Motion;
 
