@@ -3,29 +3,76 @@ using Surefoot.Physics.Geometry;
 
 namespace Surefoot.Physics.Assets;
 
-/// <summary>The collision polygons of one mesh or room, flat: a plane and a run of corners for each.</summary>
+/// <summary>The collision polygons of one mesh or room, flat: a plane and a run of corners for each. Immutable.</summary>
 public sealed class PolygonSet
 {
     private readonly Plane[] planes;
     private readonly int[] firstCorner;
     private readonly Vector3[] corners;
+    private readonly byte[]? sides;
 
     /// <summary>Polygon i has the corners <c>firstCorner[i] .. firstCorner[i + 1]</c>.</summary>
-    internal PolygonSet(Plane[] planes, int[] firstCorner, Vector3[] corners)
+    internal PolygonSet(Plane[] planes, int[] firstCorner, Vector3[] corners, byte[]? sides = null)
     {
         this.planes = planes;
         this.firstCorner = firstCorner;
         this.corners = corners;
+        this.sides = sides;
     }
+
+    /// <summary>A set without polygons.</summary>
+    public static PolygonSet Empty { get; } = new([], [0], []);
 
     /// <summary>Number of polygons.</summary>
     public int Count => planes.Length;
 
+    /// <summary>The corners of all polygons, one polygon after the other, metres.</summary>
+    public ReadOnlySpan<Vector3> Corners => corners;
+
     /// <summary>Plane of a polygon: the side its normal points to is the front.</summary>
     public ref readonly Plane PlaneOf(int polygon) => ref planes[polygon];
 
-    /// <summary>Corners of a polygon, in order.</summary>
+    /// <summary>Corners of a polygon, in order, metres.</summary>
     public ReadOnlySpan<Vector3> CornersOf(int polygon) => corners.AsSpan(firstCorner[polygon], firstCorner[polygon + 1] - firstCorner[polygon]);
+
+    /// <summary>
+    /// Which sides are drawn: 0 the front, 1 both alike, 2 both with surfaces of their own. Only rays care; a moving sphere meets either side.
+    /// </summary>
+    public int SidesOf(int polygon) => sides is null ? 0 : sides[polygon];
+
+    /// <summary>A polygon, to be asked questions of.</summary>
+    public ConvexPolygon this[int polygon] => new(planes[polygon], CornersOf(polygon));
+
+    /// <summary>A set of polygons given by their corners; the planes are worked out.</summary>
+    public static PolygonSet FromCorners(params ReadOnlySpan<Vector3[]> polygons)
+    {
+        PolygonSetBuilder builder = new(polygons.Length);
+        foreach (Vector3[] polygon in polygons) builder.Add(polygon, 0);
+        return builder.Build();
+    }
+}
+
+/// <summary>Collects polygons into flat arrays.</summary>
+internal sealed class PolygonSetBuilder(int expected)
+{
+    private readonly List<Plane> planes = new(expected);
+    private readonly List<int> firstCorner = [0];
+    private readonly List<Vector3> corners = new(expected * 4);
+    private readonly List<byte> sides = new(expected);
+
+    public void Add(ReadOnlySpan<Vector3> polygon, int polygonSides)
+    {
+        planes.Add(ConvexPolygon.MakePlane(polygon));
+        corners.AddRange(polygon);
+        firstCorner.Add(corners.Count);
+        sides.Add((byte)polygonSides);
+    }
+
+    public PolygonSet Build()
+    {
+        if (planes.Count == 0) return PolygonSet.Empty;
+        return new PolygonSet([.. planes], [.. firstCorner], [.. corners], sides.TrueForAll(s => s == 0) ? null : [.. sides]);
+    }
 }
 
 /// <summary>One polygon of a set; the default value is no polygon.</summary>
@@ -36,69 +83,21 @@ public readonly record struct PolygonRef(PolygonSet? Set, int Index)
     /// <summary>True for no polygon.</summary>
     public bool IsNone => Set is null;
 
+    /// <summary>The polygon; there must be one.</summary>
+    public ConvexPolygon Polygon => Set![Index];
+
     /// <summary>Is a sphere carried along <paramref name="up"/> onto the plane supported by the polygon? All in the polygon's frame.</summary>
     /// <remarks>Retail: CPolygon::check_walkable @0x00538E60.</remarks>
-    public bool CheckWalkable(in Sphere sphere, in Vector3 up)
-    {
-        if (!TryCarryOntoPlane(sphere.Center, up, out Vector3 p)) return false;
-        Vector3 normal = Set!.PlaneOf(Index).Normal;
-        ReadOnlySpan<Vector3> corners = Set.CornersOf(Index);
-        double radiusSquared = (double)sphere.Radius * sphere.Radius;
-        bool inside = true;
-        Vector3 previous = corners[^1];
-        foreach (Vector3 corner in corners)
-        {
-            Vector3 edge = corner - previous, w = p - previous, inward = RetailMath.Cross(normal, edge);
-            double side = RetailMath.Dot(w, inward);
-            if (side < 0)
-            {
-                if (RetailMath.LengthSquared(inward) * radiusSquared < side * side) return false;
-                double along = RetailMath.Dot(w, edge);
-                if (along >= 0 && along <= RetailMath.LengthSquared(edge)) return true;
-                inside = false;
-            }
-
-            if (RetailMath.LengthSquared(w) <= radiusSquared) return true;
-            previous = corner;
-        }
-
-        return inside;
-    }
+    public bool CheckWalkable(in Sphere sphere, in Vector3 up) => Polygon.SupportsFoot(sphere, up);
 
     /// <summary>
     /// The first edge beyond which the sphere's centre, carried along <paramref name="up"/> onto the plane, lies;
-    /// <paramref name="normal"/> is the edge's unit normal in the plane, pointing inside.
+    /// <paramref name="normal"/> is the edge's unit normal in the plane, pointing inside, or zero when there is none.
     /// </summary>
     /// <remarks>Retail: CPolygon::find_crossed_edge @0x00539300.</remarks>
     public bool FindCrossedEdge(in Sphere sphere, in Vector3 up, out Vector3 normal)
     {
         normal = default;
-        if (!TryCarryOntoPlane(sphere.Center, up, out Vector3 p)) return false;
-        Vector3 planeNormal = Set!.PlaneOf(Index).Normal;
-        ReadOnlySpan<Vector3> corners = Set.CornersOf(Index);
-        Vector3 previous = corners[^1];
-        foreach (Vector3 corner in corners)
-        {
-            Vector3 inward = RetailMath.Cross(planeNormal, corner - previous);
-            if (RetailMath.Dot(p - previous, inward) < 0)
-            {
-                normal = RetailMath.Normalize(inward);
-                return true;
-            }
-
-            previous = corner;
-        }
-
-        return false;
-    }
-
-    private bool TryCarryOntoPlane(in Vector3 center, in Vector3 up, out Vector3 onPlane)
-    {
-        ref readonly Plane plane = ref Set!.PlaneOf(Index);
-        double u = RetailMath.Dot(plane.Normal, up);
-        onPlane = default;
-        if (Math.Abs(u) < RetailMath.Epsilon) return false;
-        onPlane = RetailMath.AddScaled(center, -(RetailMath.Distance(plane, center) / u), up);
-        return true;
+        return Polygon.FindCrossedEdge(sphere, up, ref normal);
     }
 }
