@@ -14,7 +14,7 @@ namespace Surefoot.Physics.Geometry;
 public readonly ref struct ConvexPolygon
 {
     /// <summary>A view of a polygon whose plane is known.</summary>
-    public ConvexPolygon(in Plane plane, ReadOnlySpan<Vector3> corners)
+    public ConvexPolygon(scoped in Plane plane, ReadOnlySpan<Vector3> corners)
     {
         Plane = plane;
         Corners = corners;

@@ -1,0 +1,134 @@
+using System.Numerics;
+using CsCheck;
+using Surefoot.Physics.Geometry;
+using Surefoot.Physics.Tests.Assets;
+
+namespace Surefoot.Physics.Tests.Geometry;
+
+/// <summary>Spheres, rays, planes and boxes: specification 04, 4.2, 4.8, 4.10 and 6.11.</summary>
+public class PrimitiveTests
+{
+    private static readonly Gen<float> Coordinate = Gen.Float[-20f, 20f];
+    private static readonly Gen<Vector3> Point = Gen.Select(Coordinate, Coordinate, Coordinate, (x, y, z) => new Vector3(x, y, z));
+
+    [Theory, Behaviour("sphere.collision.time", "spec/04, 6.11, CSphere::find_time_of_collision @0x005368F0")]
+    [InlineData(2, 0, 0, -2, 0, 0, 0.5)]
+    [InlineData(2, 0, 0, -2, 0.5, 0, 0.566987298)]
+    [InlineData(2, 0, 0, -2, 1.1, 0, -1)]
+    [InlineData(2, 0, 0, -0.5, 0, 0, -1)]
+    [InlineData(-2, 0, 0, -2, 0, 0, -0.5)]
+    [InlineData(0.01, 0, 0, -2, 0, 0, -1)]
+    [InlineData(0, 0, -1, 0, 0, 1.5, 0.5)]
+    public void Time_of_collision_is_positive_when_approaching(float mx, float my, float mz, float x, float y, float z, double time) =>
+        Assert.Equal(time, CollisionPrimitives.TimeOfCollision(new(mx, my, mz), new(x, y, z), 1), 8);
+
+    [Theory, Behaviour("sphere.ray", "spec/04, 6.11, CSphere::sphere_intersects_ray @0x005377A0")]
+    [InlineData(-3, 0, 0, 1, 0, 0, true, 2)]
+    [InlineData(3, 0, 0, 1, 0, 0, true, -2)]
+    [InlineData(0, 0.5, -4, 0, 0, 2, true, 1.5669873)]
+    [InlineData(0, 0.5, 0, 0, 0, 2, false, 0)]
+    public void A_ray_meets_a_sphere_from_outside(float x, float y, float z, float dx, float dy, float dz, bool meets, double time)
+    {
+        Assert.Equal(meets, CollisionPrimitives.SphereIntersectsRay(new Sphere(Vector3.Zero, 1), new(x, y, z), new(dx, dy, dz), out double t));
+        Assert.Equal(time, t, 7);
+    }
+
+    [Fact, Behaviour("sphere.culling.touching", "spec/04, 4.5, CSphere::intersects @0x005344A0")]
+    public void Bounding_spheres_that_touch_or_nearly_touch_intersect()
+    {
+        Assert.True(CollisionPrimitives.SpheresIntersect(new(Vector3.Zero, 1), new(new(2, 0, 0), 1)));
+        // The gap g is allowed while (2 + g)² − 4 < 0.0002.
+        Assert.True(CollisionPrimitives.SpheresIntersect(new(Vector3.Zero, 1), new(new(2.00004f, 0, 0), 1)));
+        Assert.False(CollisionPrimitives.SpheresIntersect(new(Vector3.Zero, 1), new(new(2.00006f, 0, 0), 1)));
+    }
+
+    [Fact, Behaviour("plane.side", "spec/04, 4.2, Plane::which_side @0x00444720")]
+    public void A_point_within_the_tolerance_is_in_the_plane()
+    {
+        Plane floor = new(0, 0, 1, 0);
+        Assert.Equal(PlaneSide.Positive, PlaneQueries.WhichSide(floor, new(0, 0, 0.0003f), RetailMath.Epsilon));
+        Assert.Equal(PlaneSide.InPlane, PlaneQueries.WhichSide(floor, new(0, 0, RetailMath.Epsilon), RetailMath.Epsilon));
+        Assert.Equal(PlaneSide.InPlane, PlaneQueries.WhichSide(floor, new(0, 0, -RetailMath.Epsilon), RetailMath.Epsilon));
+        Assert.Equal(PlaneSide.Negative, PlaneQueries.WhichSide(floor, new(0, 0, -0.0003f), RetailMath.Epsilon));
+    }
+
+    [Fact, Behaviour("plane.box", "spec/04, 4.2, Plane::intersect_box @0x005AA170")]
+    public void A_box_is_on_a_side_only_with_all_corners()
+    {
+        Plane floor = new(0, 0, 1, 0);
+        Assert.Equal(PlaneSide.Positive, PlaneQueries.IntersectBox(floor, new(new(-1, -1, 1), new(1, 1, 2))));
+        Assert.Equal(PlaneSide.Negative, PlaneQueries.IntersectBox(floor, new(new(-1, -1, -2), new(1, 1, -1))));
+        Assert.Equal(PlaneSide.Crossing, PlaneQueries.IntersectBox(floor, new(new(-1, -1, -1), new(1, 1, 1))));
+        Assert.Equal(PlaneSide.Crossing, PlaneQueries.IntersectBox(floor, new(new(-1, -1, 0), new(1, 1, 1))));
+    }
+
+    [Fact, Behaviour("plane.height", "spec/04, 4.2, Plane::set_height @0x0052F050")]
+    public void A_point_takes_the_plane_s_height_unless_it_is_vertical()
+    {
+        Vector3 point = new(1, 2, 9);
+        Assert.True(PlaneQueries.SetHeight(new Plane(0, 0.6f, 0.8f, 0), ref point));
+        Assert.Equal(-1.5f, point.Z, 6);
+        Assert.False(PlaneQueries.SetHeight(new Plane(1, 0, 0, 0), ref point));
+    }
+
+    [Fact, Behaviour("box.adjust", "spec/04, 4.10, BBox::AdjustBBox @0x00534150")]
+    public void A_box_grows_from_nothing_to_hold_every_point()
+    {
+        Assert.True(BoundingBox.Empty.IsEmpty);
+        BoundingBox box = BoundingBox.Of([new(1, -2, 3), new(-1, 5, 3)]);
+        Assert.Equal(new BoundingBox(new(-1, -2, 3), new(1, 5, 3)), box);
+        Assert.False(box.IsEmpty);
+        box.Include(new(float.NaN, float.NaN, 4));
+        Assert.Equal(new BoundingBox(new(-1, -2, 3), new(1, 5, 4)), box);
+    }
+
+    [Fact, Behaviour("cylinder.rim.square", "spec/04, 4.9, CCylSphere::collides_with_sphere @0x0053A880")]
+    public void A_cylinder_has_square_rims()
+    {
+        Assert.True(CollisionPrimitives.CylinderCollidesWithSphere(0.5f, new(0.99f, 0, 1.49f), 0.9998f, 1));
+        Assert.False(CollisionPrimitives.CylinderCollidesWithSphere(0.5f, new(1.01f, 0, 0.5f), 0.9998f, 1));
+        Assert.False(CollisionPrimitives.CylinderCollidesWithSphere(0.5f, new(0, 0, 1.51f), 0.9998f, 1));
+    }
+
+    [Fact, Behaviour("sphere.collision.time-is-touch", "spec/04, 4.8: the definition of the time of collision")]
+    public void At_the_time_of_collision_the_distance_is_the_radii_together() =>
+        Gen.Select(Point, Point, Gen.Float[0.1f, 3f]).Sample(
+            (movement, offset, radius) =>
+            {
+                double t = CollisionPrimitives.TimeOfCollision(movement, offset, radius);
+                if (t == -1) return;
+                double x = offset.X + (movement.X * t), y = offset.Y + (movement.Y * t), z = offset.Z + (movement.Z * t);
+                Assert.Equal(radius, Math.Sqrt((x * x) + (y * y) + (z * z)), 4);
+            },
+            iter: 2000 * Fuzz.Factor);
+
+    [Fact, Behaviour("polygon.sphere.overlap-is-distance", "spec/04, 4.4: against the distance from a triangle worked out otherwise")]
+    public void A_sphere_overlaps_a_triangle_when_it_is_nearer_than_its_radius() =>
+        Gen.Select(Point, Point, Point, Point, Gen.Float[0.1f, 8f]).Sample(
+            (a, b, c, center, radius) =>
+            {
+                Vector3[] corners = [a, b, c];
+                if (Vector3.Cross(b - a, c - a).Length() < 1) return;
+                double distance = TriangleDistance(a, b, c, center);
+                // The plane is rounded, so a shell of half a millimetre around the threshold is not judged.
+                if (Math.Abs(distance - (radius - 0.0002)) < 5e-4) return;
+                Assert.Equal(distance < radius, new ConvexPolygon(ConvexPolygon.MakePlane(corners), corners).HitsSphere(new Sphere(center, radius)));
+            },
+            iter: 4000 * Fuzz.Factor);
+
+    /// <summary>Distance from a triangle by sampling the nearest of its face and its three edges (Ericson, 5.1.5, by projection).</summary>
+    private static double TriangleDistance(Vector3 a, Vector3 b, Vector3 c, Vector3 p)
+    {
+        Vector3 n = Vector3.Normalize(Vector3.Cross(b - a, c - a));
+        bool inside = Vector3.Dot(Vector3.Cross(n, b - a), p - a) >= 0 && Vector3.Dot(Vector3.Cross(n, c - b), p - b) >= 0 &&
+                      Vector3.Dot(Vector3.Cross(n, a - c), p - c) >= 0;
+        if (inside) return Math.Abs(Vector3.Dot(n, p - a));
+        return Math.Min(SegmentDistance(a, b, p), Math.Min(SegmentDistance(b, c, p), SegmentDistance(c, a, p)));
+    }
+
+    private static double SegmentDistance(Vector3 a, Vector3 b, Vector3 p)
+    {
+        float t = Math.Clamp(Vector3.Dot(p - a, b - a) / Vector3.Dot(b - a, b - a), 0, 1);
+        return (p - (a + (t * (b - a)))).Length();
+    }
+}
