@@ -1,0 +1,63 @@
+using System.Globalization;
+using System.IO.Compression;
+using System.Text.Json;
+using System.Text.Json.Serialization;
+
+namespace Surefoot.Tool.Conformance;
+
+/// <summary>One recorded walk.</summary>
+/// <param name="Id">Name of the case.</param>
+/// <param name="Scene">What the case was aimed at.</param>
+/// <param name="Setup">Setup of the mover, hexadecimal.</param>
+/// <param name="Others">Creatures placed first; they stay still.</param>
+/// <param name="Place">Where the mover was asked to be.</param>
+/// <param name="Placed">Outcome of the placement.</param>
+/// <param name="Start">State after placement.</param>
+/// <param name="Steps">One entry a quantum.</param>
+internal sealed record WalkCase(
+    string Id, string Scene, string Setup, WalkOther[]? Others, WalkPlace Place, string Placed, WalkStep Start, WalkStep[] Steps)
+{
+    /// <summary>Reads the cases of a file, one JSON object a line, gzipped or not.</summary>
+    /// <exception cref="InvalidDataException">A line is not a case; the message names file and line.</exception>
+    internal static IEnumerable<WalkCase> ReadAll(string path)
+    {
+        using FileStream file = File.OpenRead(path);
+        using Stream stream = path.EndsWith(".gz", StringComparison.OrdinalIgnoreCase) ? new GZipStream(file, CompressionMode.Decompress) : file;
+        using StreamReader reader = new(stream);
+        int number = 0;
+        while (reader.ReadLine() is { } line)
+        {
+            number++;
+            if (line.Length == 0) continue;
+            WalkCase? walk;
+            try
+            {
+                walk = JsonSerializer.Deserialize(line, WalkJson.Default.WalkCase);
+            }
+            catch (JsonException e)
+            {
+                throw new InvalidDataException($"{path}, line {number}: {e.Message}", e);
+            }
+
+            if (walk?.Start is null || walk.Steps is null) throw new InvalidDataException($"{path}, line {number}: not a recorded walk.");
+            yield return walk;
+        }
+    }
+
+    internal static uint ParseId(string hex) => uint.Parse(hex, NumberStyles.HexNumber, CultureInfo.InvariantCulture);
+}
+
+/// <summary>A creature that stands in the way.</summary>
+internal sealed record WalkOther(string Setup, string Cell, float[] Pos);
+
+/// <summary>A placement asked for; yaw in radians about +z.</summary>
+internal sealed record WalkPlace(string Cell, float[] Pos, float Yaw);
+
+/// <summary>The state after one quantum, and what was put into it.</summary>
+internal sealed record WalkStep(
+    string Cell, float[] Pos, float[] Vel, bool Ok, uint Ts, string? Pcell, float[]? Plane, float[]? Slide, float Q, float[]? Off, float[]? Jump, bool Env);
+
+/// <summary>Reading without reflection.</summary>
+[JsonSourceGenerationOptions(PropertyNamingPolicy = JsonKnownNamingPolicy.CamelCase)]
+[JsonSerializable(typeof(WalkCase))]
+internal sealed partial class WalkJson : JsonSerializerContext;
