@@ -25,4 +25,6 @@ public sealed class SetupAsset
 
     /// <summary>The body may turn freely in one sweep.</summary>
     public bool AllowFreeHeading { get; init; }
+
+    internal Transitions.TransitionState FindCollisions(Transitions.Transition transition, Bodies.WorldObject target, bool creature) => Transitions.TransitionState.OK;
 }

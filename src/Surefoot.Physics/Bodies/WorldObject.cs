@@ -1,13 +1,12 @@
 using System.Numerics;
 using Surefoot.Physics.Assets;
-using Surefoot.Physics.Transitions;
 using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Bodies;
 
 /// <summary>Something that stands in cells and can be run into: a static object, a piece of scenery, or a <see cref="PhysicsBody"/>.</summary>
 /// <remarks>Retail: the part of CPhysicsObj that statics share with bodies.</remarks>
-public class WorldObject
+public partial class WorldObject
 {
     /// <summary>An object with this id and shape.</summary>
     /// <param name="id">Object id; 0 for scenery and other things without one.</param>
@@ -78,8 +77,4 @@ public class WorldObject
     internal virtual void KillVelocity()
     {
     }
-
-    /// <summary>Tests the spheres of a transition against this object (specification 02, 4.21).</summary>
-    /// <remarks>Retail: CPhysicsObj::FindObjCollisions @0x0050F050.</remarks>
-    internal virtual TransitionState FindObjCollisions(Transition transition) => TransitionState.OK;
 }

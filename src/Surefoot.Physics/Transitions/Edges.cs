@@ -89,7 +89,7 @@ public sealed partial class Transition
     /// Retail: CTransition::cliff_slide @0x0050A6D0. For a slope that rises ahead the push doubles the step instead of removing it; that
     /// stop-and-go along steep hillsides is retail's (specification 03, 4.7).
     /// </remarks>
-    private TransitionState CliffSlide(in Plane plane)
+    internal TransitionState CliffSlide(in Plane plane)
     {
         Vector3 along = RetailMath.Cross(plane.Normal, Collision.LastKnownContactPlane.Normal);
         Vector3 normal = new(-along.Y, along.X, 0);

@@ -8,11 +8,11 @@ namespace Surefoot.Physics.Transitions;
 public sealed partial class Transition
 {
     /// <summary>The steps of a sweep: how many, each how far, and the whole.</summary>
-    private readonly record struct StepPlan(int Count, Vector3 PerStep, Vector3 Offset, double Distance);
+    internal readonly record struct StepPlan(int Count, Vector3 PerStep, Vector3 Offset, double Distance);
 
     /// <summary>Cuts the sweep into steps of at most one radius of sphere 0; the camera's are exactly one radius.</summary>
     /// <remarks>Retail: CTransition::calc_num_steps @0x0050A0B0.</remarks>
-    private StepPlan CalcNumSteps()
+    internal StepPlan CalcNumSteps()
     {
         if (!Path.HasBegin) return new StepPlan(1, Vector3.Zero, Vector3.Zero, 0);
 
@@ -43,7 +43,7 @@ public sealed partial class Transition
     /// <param name="offset">The step asked for, metres, world axes.</param>
     /// <returns>The step to take.</returns>
     /// <remarks>Retail: CTransition::adjust_offset @0x0050A370.</remarks>
-    private Vector3 AdjustOffset(in Vector3 offset)
+    internal Vector3 AdjustOffset(in Vector3 offset)
     {
         Vector3 v = offset;
         Vector3 wall = Collision.SlidingNormal;
