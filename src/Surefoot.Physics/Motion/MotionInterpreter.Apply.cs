@@ -29,9 +29,9 @@ public sealed partial class MotionInterpreter
     public void AdoptRunRate(float rate)
     {
         if (!(rate > 0) || !float.IsFinite(rate)) throw new ArgumentException("A run rate is a positive number.", nameof(rate));
+        float before = RunRate;
         MyRunRate = rate;
-        if (Raw.ForwardCommand != MotionCommand.Ready || Raw.SidestepCommand != MotionCommand.None)
-            ApplyCurrentMovement(cancelMoveTo: false, disallowJump: false);
+        if (RunRate != before) ApplyCurrentMovement(cancelMoveTo: false, disallowJump: false);
     }
 
     /// <summary>Normalises the keys into the interpreted state and puts it into effect.</summary>

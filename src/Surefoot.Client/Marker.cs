@@ -1,2 +1,0 @@
-namespace Surefoot.Client;
-internal static class Marker;

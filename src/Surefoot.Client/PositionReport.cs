@@ -1,0 +1,47 @@
+using System.Numerics;
+using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Geometry;
+using Surefoot.Physics.World;
+
+namespace Surefoot.Client;
+
+/// <summary>Decides when the server is told where the body is.</summary>
+/// <remarks>Retail: ShouldSendPositionEvent and SendPositionEvent; specification 08, 5.6.</remarks>
+internal struct PositionReport
+{
+    private const double Interval = 1.0;
+
+    private double lastTime;
+    private Position lastPosition;
+    private Plane lastPlane;
+
+    /// <summary>Nothing was told yet.</summary>
+    public PositionReport(double now)
+    {
+        lastTime = now;
+        lastPosition = Position.Nowhere;
+        lastPlane = default;
+    }
+
+    /// <summary>Something else that holds the position was sent.</summary>
+    public void OnMoveToState(double now) => lastTime = now;
+
+    /// <summary>True when the position is to be sent now; it then counts as sent.</summary>
+    public bool IsDue(IMotionBody body, double now)
+    {
+        if (!body.HasContact || !body.OnWalkable) return false;
+        Position position = body.Position;
+        if (position.CellId == 0 || !position.Frame.IsValid) return false;
+
+        bool changed = position.CellId != lastPosition.CellId ||
+                       (now > lastTime + Interval ? !Frame.NearlyEqual(position.Frame, lastPosition.Frame) : PlaneDiffers(body.ContactPlane));
+        if (!changed) return false;
+        lastTime = now;
+        lastPosition = position;
+        lastPlane = body.ContactPlane;
+        return true;
+    }
+
+    private readonly bool PlaneDiffers(in Plane plane) =>
+        !RetailMath.NearlyEqual(plane.Normal, lastPlane.Normal) || Math.Abs((double)plane.D - lastPlane.D) >= RetailMath.Epsilon;
+}

@@ -1,0 +1,113 @@
+using CsCheck;
+using Surefoot.Physics.Motion;
+
+namespace Surefoot.Physics.Tests.Motion;
+
+public class FormulaTests
+{
+    [Theory]
+    [Behaviour("motion.run-rate.follows-skill-and-load", "spec/01, 4.1 and 6; MovementSystem::GetRunRate @0x006B0950")]
+    [InlineData(0f, 0, 1f)]
+    [InlineData(0f, 10, 1.13095236f)]
+    [InlineData(0f, 100, 1.91666663f)]
+    [InlineData(0f, 200, 2.375f)]
+    [InlineData(0f, 300, 2.6500001f)]
+    [InlineData(0f, 400, 2.83333325f)]
+    [InlineData(0f, 799, 3.19944954f)]
+    [InlineData(0f, 800, 4.5f)]
+    [InlineData(0f, 1200, 4.5f)]
+    [InlineData(1.0f, 300, 2.6500001f)]
+    [InlineData(1.5f, 300, 1.82500005f)]
+    [InlineData(1.99f, 300, 1.0165f)]
+    [InlineData(2.5f, 300, 1f)]
+    public void RunRate(float load, int skill, float expected) => Assert.Equal(expected, MovementFormulas.RunRate(load, skill));
+
+    [Theory]
+    [Behaviour("motion.run-rate.equality-rule-is-an-option", "spec/01, 4.1 and 6")]
+    [InlineData(799, 3.19944954f)]
+    [InlineData(800, 4.5f)]
+    [InlineData(1200, 3.35714293f)]
+    public void RunRateOfTheClient(int skill, float expected) =>
+        Assert.Equal(expected, MovementFormulas.RunRate(0, skill, TopSpeedRule.ExactlyEightHundred));
+
+    [Theory]
+    [Behaviour("motion.jump.height-and-speed-follow-skill-load-and-charge", "spec/01, 4.1 and 6; MovementSystem::GetJumpHeight @0x006B09B0")]
+    [InlineData(0f, 0, 1f, 0.349999994f, 2.61916018f)]
+    [InlineData(0f, 100, 1f, 1.63571434f, 5.66215515f)]
+    [InlineData(0f, 200, 0.5f, 1.50500005f, 5.43120623f)]
+    [InlineData(0f, 200, 1f, 3.0100001f, 7.68088531f)]
+    [InlineData(0f, 300, 0.001f, 0.349999994f, 2.61916018f)]
+    [InlineData(0f, 300, 0.25f, 1.05312504f, 4.54326439f)]
+    [InlineData(0f, 300, 1f, 4.21250014f, 9.08652878f)]
+    [InlineData(0f, 400, 1f, 5.27352959f, 10.1666698f)]
+    [InlineData(0f, 1000, 1f, 9.70217425f, 13.7899466f)]
+    [InlineData(1.5f, 300, 1f, 2.10625007f, 6.4251461f)]
+    [InlineData(2f, 300, 1f, 0.349999994f, 2.61916018f)]
+    public void JumpHeight(float load, int skill, float power, float height, float velocity)
+    {
+        Assert.Equal(height, MovementFormulas.JumpHeight(load, skill, power));
+        Assert.Equal(velocity, MovementFormulas.JumpVelocity(height));
+    }
+
+    [Theory]
+    [Behaviour("motion.jump.stamina-cost", "spec/01, 4.1 and 6; MovementSystem::JumpStaminaCost @0x006B0A40")]
+    [InlineData(1f, 0f, false, 6)]
+    [InlineData(1f, 0.5f, false, 10)]
+    [InlineData(0.5f, 1f, false, 8)]
+    [InlineData(0.001f, 0f, false, 3)]
+    [InlineData(1f, 1.99f, false, 22)]
+    [InlineData(0.5f, 0f, true, 150)]
+    [InlineData(1f, 0f, true, 200)]
+    public void JumpStaminaCost(float power, float load, bool pk, int expected) =>
+        Assert.Equal(expected, MovementFormulas.JumpStaminaCost(power, load, pk));
+
+    [Theory]
+    [Behaviour("motion.load.capacity-from-strength-and-augmentations", "spec/01, 4.1 and 6; EncumbranceSystem::EncumbranceCapacity @0x004FCC00")]
+    [InlineData(100, 0, 15000)]
+    [InlineData(100, 2, 21000)]
+    [InlineData(100, 9, 30000)]
+    [InlineData(100, -3, 15000)]
+    [InlineData(0, 5, 0)]
+    [InlineData(-5, 5, 0)]
+    public void Capacity(int strength, int augmentations, int expected) =>
+        Assert.Equal(expected, MovementFormulas.Capacity(strength, augmentations));
+
+    [Fact]
+    [Behaviour("motion.load.three-without-capacity", "spec/01, 4.1; EncumbranceSystem::Load @0x004FCC40")]
+    public void Load()
+    {
+        Assert.Equal(3f, MovementFormulas.Load(0, 10));
+        Assert.Equal(0f, MovementFormulas.Load(15000, -1));
+        Assert.Equal(1.5f, MovementFormulas.Load(15000, 22500));
+    }
+
+    [Fact]
+    [Behaviour("motion.run-rate.skill-counts-as-zero-without-stamina", "spec/01, 4.1; CACQualities::InqRunRate @0x00592800")]
+    public void ExhaustedPlayersRunAndJumpAsTheUnskilled()
+    {
+        PlayerWeenie weenie = new(new CharacterStats(300, 300, Stamina: 0));
+        Assert.True(weenie.InqRunRate(out float rate));
+        Assert.Equal(1f, rate);
+        Assert.True(weenie.InqJumpVelocity(1f, out float velocity));
+        Assert.Equal(2.61916018f, velocity);
+    }
+
+    [Fact]
+    [Behaviour("motion.run-rate.grows-with-skill-and-falls-with-load", "spec/01, 4.1")]
+    public void MoreSkillIsNeverSlowerAndMoreLoadNeverFaster() =>
+        Gen.Select(Gen.Int[0, 1000], Gen.Int[0, 1000], Gen.Float[0, 3], Gen.Float[0, 3]).Sample((a, b, l, m) =>
+        {
+            float low = MovementFormulas.RunRate(l, Math.Min(a, b)), high = MovementFormulas.RunRate(l, Math.Max(a, b));
+            float light = MovementFormulas.RunRate(Math.Min(l, m), a), heavy = MovementFormulas.RunRate(Math.Max(l, m), a);
+            return low <= high && heavy <= light && low is >= 1f and <= 4.5f;
+        });
+
+    [Fact]
+    [Behaviour("motion.jump.longer-charge-never-lower", "spec/01, 4.1")]
+    public void ALongerChargeIsNeverLowerAndNeverBelowTheMinimum() =>
+        Gen.Select(Gen.Int[0, 2000], Gen.Float[0, 3], Gen.Float[0, 1], Gen.Float[0, 1]).Sample((skill, load, p, q) =>
+        {
+            float low = MovementFormulas.JumpHeight(load, skill, Math.Min(p, q)), high = MovementFormulas.JumpHeight(load, skill, Math.Max(p, q));
+            return low >= 0.35f && low <= high;
+        });
+}

@@ -1,0 +1,116 @@
+using Surefoot.Physics.Motion;
+
+namespace Surefoot.Physics.Tests.Motion;
+
+public class MotionStateTests
+{
+    private const MotionCommand Bow = HumanoidTable.Bow;
+
+    [Fact]
+    [Behaviour("motion.parameters.defaults", "spec/01, 2.4; MovementParameters @0x00524380")]
+    public void ParametersBeginWithRetailsDefaults()
+    {
+        MovementParameters p = new();
+        Assert.Equal(0x1EE0Fu, (uint)p.Flags);
+        Assert.Equal(0x3F19999Au, BitConverter.SingleToUInt32Bits(p.DistanceToObject));
+        Assert.Equal(0x7F7FFFFFu, BitConverter.SingleToUInt32Bits(p.FailDistance));
+        Assert.Equal(15f, p.WalkRunThreshold);
+        Assert.Equal(1f, p.Speed);
+        Assert.Equal(HoldKey.Invalid, p.HoldKey);
+    }
+
+    [Fact]
+    [Behaviour("motion.raw.run-is-a-hold-key", "spec/01, 2.2; RawMotionState::ApplyMotion @0x0051EB60")]
+    public void RunForwardDoesNotEnterTheRawState()
+    {
+        RawMotionState raw = new();
+        raw.ApplyMotion(MotionCommand.RunForward, new MovementParameters());
+        Assert.Equal(MotionCommand.Ready, raw.ForwardCommand);
+    }
+
+    [Fact]
+    [Behaviour("motion.raw.set-hold-key-leaves-no-key-of-its-own", "spec/01, 2.2")]
+    public void TheHoldKeyOfACommandIsKeptOnlyWithoutTheFlag()
+    {
+        RawMotionState raw = new();
+        MovementParameters p = new() { HoldKey = HoldKey.Run, Speed = 0.5f };
+        raw.ApplyMotion(MotionCommand.WalkForward, p);
+        Assert.Equal((MotionCommand.WalkForward, HoldKey.Invalid, 0.5f), (raw.ForwardCommand, raw.ForwardHoldKey, raw.ForwardSpeed));
+        p.Flags &= ~MovementFlags.SetHoldKey;
+        raw.ApplyMotion(MotionCommand.SideStepLeft, p);
+        raw.ApplyMotion(MotionCommand.TurnLeft, p);
+        Assert.Equal((MotionCommand.SideStepLeft, HoldKey.Run), (raw.SidestepCommand, raw.SidestepHoldKey));
+        Assert.Equal((MotionCommand.TurnLeft, HoldKey.Run), (raw.TurnCommand, raw.TurnHoldKey));
+    }
+
+    [Fact]
+    [Behaviour("motion.raw.apply-and-remove", "spec/01, 2.2; RawMotionState::RemoveMotion @0x0051E6E0")]
+    public void RemovingTakesOutWhatWasApplied()
+    {
+        RawMotionState raw = new();
+        MovementParameters p = new() { Speed = 2f, ActionStamp = 7 };
+        raw.ApplyMotion(MotionCommand.WalkForward, p);
+        raw.ApplyMotion(MotionCommand.SideStepRight, p);
+        raw.ApplyMotion(MotionCommand.TurnRight, p);
+        raw.ApplyMotion(Bow, p);
+        Assert.Equal(new MotionAction(Bow, 2f, 7, false), raw.GetAction(0));
+
+        raw.RemoveMotion(MotionCommand.WalkBackwards);
+        Assert.Equal(MotionCommand.WalkForward, raw.ForwardCommand);
+        raw.RemoveMotion(MotionCommand.WalkForward);
+        raw.RemoveMotion(MotionCommand.SideStepLeft);
+        raw.RemoveMotion(MotionCommand.TurnLeft);
+        Assert.Equal((MotionCommand.Ready, 1f), (raw.ForwardCommand, raw.ForwardSpeed));
+        Assert.Equal((MotionCommand.None, MotionCommand.None), (raw.SidestepCommand, raw.TurnCommand));
+        raw.RemoveAction();
+        raw.RemoveAction();
+        Assert.Equal(0, raw.ActionCount);
+    }
+
+    [Fact]
+    [Behaviour("motion.raw.new-style-ends-forward", "spec/01, 2.2")]
+    public void ANewStyleEndsTheForwardCommandAndTheSameOneDoesNot()
+    {
+        RawMotionState raw = new();
+        raw.ApplyMotion(MotionCommand.WalkForward, new MovementParameters());
+        raw.ApplyMotion(MotionCommand.NonCombat, new MovementParameters());
+        Assert.Equal(MotionCommand.WalkForward, raw.ForwardCommand);
+        raw.ApplyMotion(MotionCommand.DualWieldCombat, new MovementParameters());
+        Assert.Equal((MotionCommand.Ready, MotionCommand.DualWieldCombat), (raw.ForwardCommand, raw.CurrentStyle));
+        raw.RemoveMotion(MotionCommand.DualWieldCombat);
+        Assert.Equal(MotionCommand.NonCombat, raw.CurrentStyle);
+    }
+
+    [Fact]
+    [Behaviour("motion.interpreted.apply-and-remove", "spec/01, 2.3; InterpretedMotionState::ApplyMotion @0x0051EA40")]
+    public void TheInterpretedStateKnowsOnlyTheRightHandCommands()
+    {
+        InterpretedMotionState state = new();
+        MovementParameters p = new() { Speed = -0.5f };
+        state.ApplyMotion(MotionCommand.RunForward, p);
+        state.ApplyMotion(MotionCommand.SideStepRight, p);
+        state.ApplyMotion(MotionCommand.TurnRight, p);
+        Assert.Equal((MotionCommand.RunForward, -0.5f), (state.ForwardCommand, state.ForwardSpeed));
+        Assert.Equal((-0.5f, -0.5f), (state.SidestepSpeed, state.TurnSpeed));
+        InterpretedMotionState copy = state.Clone();
+        state.RemoveMotion(MotionCommand.RunForward);
+        state.RemoveMotion(MotionCommand.SideStepRight);
+        state.RemoveMotion(MotionCommand.TurnRight);
+        Assert.Equal((MotionCommand.Ready, MotionCommand.None, MotionCommand.None), (state.ForwardCommand, state.SidestepCommand, state.TurnCommand));
+        state.CopyMovementFrom(copy);
+        Assert.Equal(MotionCommand.RunForward, state.ForwardCommand);
+    }
+
+    [Fact]
+    [Behaviour("motion.raw.copy-is-independent", "spec/01, 2.2")]
+    public void ACopyLivesItsOwnLife()
+    {
+        RawMotionState raw = new() { CurrentHoldKey = HoldKey.Run };
+        for (uint i = 0; i < 20; i++) raw.AddAction(new MotionAction(Bow, 1f, i, true));
+        RawMotionState copy = raw.Clone();
+        raw.RemoveAction();
+        Assert.Equal((19, 20), (raw.ActionCount, copy.ActionCount));
+        Assert.Equal((1u, 0u), (raw.GetAction(0).Stamp, copy.GetAction(0).Stamp));
+        Assert.Equal(HoldKey.Run, copy.CurrentHoldKey);
+    }
+}
