@@ -1,0 +1,172 @@
+using System.Collections.Concurrent;
+using Microsoft.Extensions.Logging;
+using Surefoot.Workbench.Simulation;
+using Surefoot.Workbench.Wire;
+
+namespace Surefoot.Workbench.Hosting;
+
+/// <summary>
+/// The one loop that touches the world: takes what pages said, lets time pass, and tells the pages. It wakes far more often than physics steps, so that a
+/// step comes as soon as its quantum is full and a key acts at the moment it arrives.
+/// </summary>
+internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters counters, TimeProvider clock, ILogger logger, int maxPlayers)
+{
+    private static readonly TimeSpan WakeEvery = TimeSpan.FromMilliseconds(4);
+
+    private readonly ConcurrentQueue<(PageConnection Page, bool Enters)> doors = new();
+    private readonly List<Seat> seats = [];
+    private readonly List<(uint Id, PlayerPose Pose)> poses = [];
+    private readonly long epoch = clock.GetTimestamp();
+    private int reserved;
+    private uint lastId;
+    private uint step;
+
+    /// <summary>Called after each step with each player's pose, before it is sent; for tests that compare a page with the world.</summary>
+    public Action<uint, uint, PlayerPose>? PosePublished { get; set; }
+
+    /// <summary>Seconds since the loop was made.</summary>
+    public double Now => clock.GetElapsedTime(epoch).TotalSeconds;
+
+    /// <summary>Reserves a seat for a page that is about to connect; false when all are taken.</summary>
+    public bool TryReserve()
+    {
+        if (Interlocked.Increment(ref reserved) <= maxPlayers) return true;
+        Interlocked.Decrement(ref reserved);
+        return false;
+    }
+
+    /// <summary>Gives back a seat of <see cref="TryReserve"/>.</summary>
+    public void Release() => Interlocked.Decrement(ref reserved);
+
+    /// <summary>A page came: it gets a player at the next turn of the loop.</summary>
+    public void Enter(PageConnection page) => doors.Enqueue((page, true));
+
+    /// <summary>A page went: its player leaves at the next turn of the loop.</summary>
+    public void Exit(PageConnection page) => doors.Enqueue((page, false));
+
+    /// <summary>Runs until cancelled.</summary>
+    public async Task RunAsync(CancellationToken stopping)
+    {
+        using PeriodicTimer timer = new(WakeEvery, clock);
+        try
+        {
+            while (await timer.WaitForNextTickAsync(stopping).ConfigureAwait(false)) Turn(Now);
+        }
+        catch (OperationCanceledException) when (stopping.IsCancellationRequested)
+        {
+            // Stopping is how the loop ends.
+        }
+        finally
+        {
+            foreach (Seat seat in seats) seat.Page.End();
+        }
+    }
+
+    private void Turn(double now)
+    {
+        OpenDoors(now);
+        for (int i = seats.Count - 1; i >= 0; i--) Listen(seats[i], now);
+        if (!world.Advance(now)) return;
+        step++;
+        counters.CountStep();
+        Tell(now);
+    }
+
+    private void OpenDoors(double now)
+    {
+        while (doors.TryDequeue(out (PageConnection Page, bool Enters) door))
+        {
+            if (door.Enters) Admit(door.Page, now);
+            else if (seats.Find(seat => seat.Page == door.Page) is { } seat) Dismiss(seat);
+        }
+    }
+
+    private void Admit(PageConnection page, double now)
+    {
+        uint id = ++lastId;
+        try
+        {
+            PlayerSettings settings = PlayerSettings.Default;
+            IWorkbenchPlayer player = world.Join(id, settings, world.Places[0], now);
+            seats.Add(new Seat(id, page, player));
+            counters.CountPlayer(1);
+            page.Welcome(ServerFrames.Welcome(id, settings, world.BurdenCapacity, world.Places.Count, WireLimits.MinQuantum));
+        }
+        catch (Exception mistake) when (mistake is ArgumentException or InvalidOperationException)
+        {
+            LogPlayerFailed(logger, id, mistake);
+            page.End();
+        }
+    }
+
+    private void Dismiss(Seat seat)
+    {
+        seats.Remove(seat);
+        world.Leave(seat.Player);
+        seat.Page.End();
+        counters.CountPlayer(-1);
+    }
+
+    private void Listen(Seat seat, double now)
+    {
+        try
+        {
+            while (seat.Page.TryTake(out ClientFrame frame)) Obey(seat, frame, now);
+        }
+        catch (Exception mistake) when (mistake is ArgumentException or InvalidOperationException)
+        {
+            LogPlayerFailed(logger, seat.Id, mistake);
+            Dismiss(seat);
+        }
+    }
+
+    private void Obey(Seat seat, in ClientFrame frame, double now)
+    {
+        switch (frame.Kind)
+        {
+            case FrameKind.Input:
+                seat.Sequence = frame.Sequence;
+                seat.Player.SetKeys(frame.Keys, now);
+                break;
+            case FrameKind.Settings:
+                seat.Player.Configure(frame.Settings, now);
+                break;
+            case FrameKind.Goto:
+                seat.Player.Goto(world.Places[frame.Place], now);
+                break;
+        }
+    }
+
+    private void Tell(double now)
+    {
+        poses.Clear();
+        foreach (Seat seat in seats) poses.Add((seat.Id, seat.Player.Pose));
+        for (int i = 0; i < seats.Count; i++)
+        {
+            Seat seat = seats[i];
+            PlayerPose pose = poses[i].Pose;
+            PosePublished?.Invoke(seat.Id, step, pose);
+            while (seat.Player.TryTakeEvent(out PlayerEvent happened)) seat.Page.Send(ServerFrames.Event(happened));
+            seat.Page.Send(ServerFrames.Pose(pose, step, seat.Sequence, seats.Count));
+            if (seats.Count > 1 || seat.HadCompany) seat.Page.Send(ServerFrames.Others(now, seat.Id, poses));
+            seat.HadCompany = seats.Count > 1;
+        }
+    }
+
+    [LoggerMessage(Level = LogLevel.Error, Message = "Player {Player} was removed because the world refused it")]
+    private static partial void LogPlayerFailed(ILogger logger, uint player, Exception mistake);
+
+    private sealed class Seat(uint id, PageConnection page, IWorkbenchPlayer player)
+    {
+        public uint Id => id;
+
+        public PageConnection Page => page;
+
+        public IWorkbenchPlayer Player => player;
+
+        public uint Sequence { get; set; }
+
+        /// <summary>Whether the last frame of others listed anyone; one empty frame follows the last of them.</summary>
+        public bool HadCompany { get; set; }
+    }
+}

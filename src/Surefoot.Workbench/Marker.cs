@@ -1,2 +1,0 @@
-namespace Surefoot.Workbench;
-internal static class Marker;

@@ -1,0 +1,58 @@
+using Surefoot.Workbench.Wire;
+
+namespace Surefoot.Workbench.Simulation;
+
+/// <summary>The world that pages play in. One thread calls it, but terrain is read from any thread.</summary>
+internal interface IWorkbenchWorld : IDisposable
+{
+    /// <summary>Name shown on the page.</summary>
+    string Name { get; }
+
+    /// <summary>Places to go to; the first is where a player enters. Never empty.</summary>
+    IReadOnlyList<WorkbenchPlace> Places { get; }
+
+    /// <summary>Burden units that a player carries at load 1.</summary>
+    int BurdenCapacity { get; }
+
+    /// <summary>Puts a new player into the world.</summary>
+    /// <param name="id">Its id, unique.</param>
+    /// <param name="settings">Skills and burden.</param>
+    /// <param name="place">Where.</param>
+    /// <param name="now">Seconds.</param>
+    IWorkbenchPlayer Join(uint id, PlayerSettings settings, WorkbenchPlace place, double now);
+
+    /// <summary>Takes a player out, for good.</summary>
+    void Leave(IWorkbenchPlayer player);
+
+    /// <summary>Brings the world to <paramref name="now"/>; true when a physics step was made.</summary>
+    bool Advance(double now);
+
+    /// <summary>The terrain of a landblock as the physics built it, or null where there is none.</summary>
+    /// <param name="block">0xXXYY.</param>
+    TerrainBlock? ReadTerrain(ushort block);
+}
+
+/// <summary>One page's player.</summary>
+internal interface IWorkbenchPlayer
+{
+    /// <summary>State after the last step.</summary>
+    PlayerPose Pose { get; }
+
+    /// <summary>The keys held from now on.</summary>
+    void SetKeys(PlayerKeys keys, double now);
+
+    /// <summary>New skills and burden.</summary>
+    void Configure(PlayerSettings settings, double now);
+
+    /// <summary>Places the player.</summary>
+    void Goto(WorkbenchPlace place, double now);
+
+    /// <summary>The oldest event not yet taken.</summary>
+    bool TryTakeEvent(out PlayerEvent happened);
+}
+
+/// <summary>What the page draws of a landblock: 9 × 9 vertices, 8 × 8 cells, column (x) major.</summary>
+/// <param name="Heights">81 heights, metres, index 9·i + j.</param>
+/// <param name="Terrain">81 terrain words (road in bits 0–1, type in bits 2–6), same index.</param>
+/// <param name="SouthWestCut">64 split directions, true for SW–NE, index 8·i + j.</param>
+internal sealed record TerrainBlock(float[] Heights, ushort[] Terrain, bool[] SouthWestCut);

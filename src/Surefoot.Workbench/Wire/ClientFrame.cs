@@ -1,0 +1,39 @@
+using System.Buffers.Binary;
+using Surefoot.Workbench.Simulation;
+
+namespace Surefoot.Workbench.Wire;
+
+/// <summary>One checked frame from a page. Only the fields of its kind are set.</summary>
+internal readonly record struct ClientFrame(FrameKind Kind, PlayerKeys Keys = PlayerKeys.None, uint Sequence = 0, PlayerSettings Settings = default, int Place = 0)
+{
+    /// <summary>Reads a frame. The bytes are untrusted: exact length, known kind, every value in its range, or false.</summary>
+    /// <param name="bytes">One whole WebSocket message.</param>
+    /// <param name="placeCount">Number of named places.</param>
+    /// <param name="frame">The frame, when true.</param>
+    public static bool TryParse(ReadOnlySpan<byte> bytes, int placeCount, out ClientFrame frame)
+    {
+        frame = default;
+        if (bytes.IsEmpty) return false;
+        ReadOnlySpan<byte> body = bytes[1..];
+        switch ((FrameKind)bytes[0])
+        {
+            case FrameKind.Input when body.Length == 5:
+                frame = new ClientFrame(FrameKind.Input, (PlayerKeys)body[0], BinaryPrimitives.ReadUInt32LittleEndian(body[1..]));
+                return true;
+            case FrameKind.Settings when body.Length == 8:
+                ushort run = BinaryPrimitives.ReadUInt16LittleEndian(body);
+                ushort jump = BinaryPrimitives.ReadUInt16LittleEndian(body[2..]);
+                uint burden = BinaryPrimitives.ReadUInt32LittleEndian(body[4..]);
+                if (run > WireLimits.MaxSkill || jump > WireLimits.MaxSkill || burden > WireLimits.MaxBurden) return false;
+                frame = new ClientFrame(FrameKind.Settings, Settings: new PlayerSettings(run, jump, (int)burden));
+                return true;
+            case FrameKind.Goto when body.Length == 2:
+                int place = BinaryPrimitives.ReadUInt16LittleEndian(body);
+                if (place >= placeCount) return false;
+                frame = new ClientFrame(FrameKind.Goto, Place: place);
+                return true;
+            default:
+                return false;
+        }
+    }
+}

@@ -1,0 +1,60 @@
+namespace Surefoot.Workbench.Wire;
+
+/// <summary>First byte of every frame between a page and the server. All numbers are little-endian; lengths are fixed by the kind.</summary>
+internal enum FrameKind : byte
+{
+    /// <summary>Page → server: <c>u8 keys, u32 sequence</c>.</summary>
+    Input = 0x01,
+
+    /// <summary>Page → server: <c>u16 run skill, u16 jump skill, u32 burden</c>.</summary>
+    Settings = 0x02,
+
+    /// <summary>Page → server: <c>u16 place</c>, an index into the list of places.</summary>
+    Goto = 0x03,
+
+    /// <summary>Server → page, once and first; see <see cref="ServerFrames.Welcome"/>.</summary>
+    Welcome = 0x81,
+
+    /// <summary>Server → page: the page's own player after a step; see <see cref="ServerFrames.Pose"/>.</summary>
+    Pose = 0x82,
+
+    /// <summary>Server → page: all other players after a step; who is not listed is gone; see <see cref="ServerFrames.Others"/>.</summary>
+    Others = 0x83,
+
+    /// <summary>Server → page: something that happened to the page's own player; see <see cref="ServerFrames.Event"/>.</summary>
+    Event = 0x84,
+}
+
+/// <summary>The keys a player holds.</summary>
+[Flags]
+internal enum PlayerKeys : byte
+{
+    None = 0,
+    Forward = 1,
+    Back = 2,
+    TurnLeft = 4,
+    TurnRight = 8,
+    SidestepLeft = 16,
+    SidestepRight = 32,
+    Walk = 64,
+    Jump = 128,
+}
+
+/// <summary>Bounds of what a page may ask; the page is told them in the welcome.</summary>
+internal static class WireLimits
+{
+    /// <summary>Version of the frames; a page of another version reloads itself.</summary>
+    public const byte Version = 1;
+
+    /// <summary>Longest frame a page sends, bytes.</summary>
+    public const int LongestClientFrame = 9;
+
+    /// <summary>Shortest physics step, seconds.</summary>
+    public const float MinQuantum = 1f / 30f;
+
+    /// <summary>Highest skill.</summary>
+    public const ushort MaxSkill = 1000;
+
+    /// <summary>Highest burden, burden units. Three times the capacity of strength 100: past 2 × nobody jumps or runs.</summary>
+    public const uint MaxBurden = 45_000;
+}

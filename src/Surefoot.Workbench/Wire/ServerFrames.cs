@@ -1,0 +1,158 @@
+using System.Buffers.Binary;
+using System.Numerics;
+using Surefoot.Workbench.Simulation;
+
+namespace Surefoot.Workbench.Wire;
+
+/// <summary>Writes the frames that a server sends.</summary>
+internal static class ServerFrames
+{
+    public const int WelcomeLength = 30;
+    public const int PoseLength = 102;
+    public const int EventLength = 18;
+    public const int OthersHeaderLength = 11;
+    public const int OtherLength = 52;
+
+    /// <summary>
+    /// <c>u8 kind, u8 version, u32 player, u16 run, u16 jump, u32 burden, u32 capacity, u16 max skill, u32 max burden, u16 places, f32 min quantum</c>.
+    /// </summary>
+    public static byte[] Welcome(uint player, PlayerSettings settings, int burdenCapacity, int places, float minQuantum)
+    {
+        byte[] bytes = new byte[WelcomeLength];
+        Writer to = new(bytes);
+        to.U8((byte)FrameKind.Welcome);
+        to.U8(WireLimits.Version);
+        to.U32(player);
+        to.U16((ushort)settings.RunSkill);
+        to.U16((ushort)settings.JumpSkill);
+        to.U32((uint)settings.Burden);
+        to.U32((uint)burdenCapacity);
+        to.U16(WireLimits.MaxSkill);
+        to.U32(WireLimits.MaxBurden);
+        to.U16((ushort)places);
+        to.F32(minQuantum);
+        return bytes;
+    }
+
+    /// <summary>
+    /// <c>u8 kind, u8 teleports, u16 flags, u32 step, u32 input sequence taken, f64 time, u32 cell, f32[3] position, f32 yaw, f32[3] velocity,
+    /// f32[4] contact plane, f32 speed over ground, f32 charge, f32 quantum, f32 run rate, u32 forward command, f32 forward, f32 sidestep, f32 turn,
+    /// u16 players</c>.
+    /// </summary>
+    public static byte[] Pose(in PlayerPose pose, uint step, uint sequence, int players)
+    {
+        byte[] bytes = new byte[PoseLength];
+        Writer to = new(bytes);
+        to.U8((byte)FrameKind.Pose);
+        to.U8(pose.Teleports);
+        to.U16((ushort)pose.Flags);
+        to.U32(step);
+        to.U32(sequence);
+        to.F64(pose.Time);
+        to.U32(pose.CellId);
+        to.Vector(pose.Position);
+        to.F32(pose.Yaw);
+        to.Vector(pose.Velocity);
+        to.Vector(pose.ContactPlane.Normal);
+        to.F32(pose.ContactPlane.D);
+        to.F32(GroundSpeed(pose));
+        to.F32(pose.Charge);
+        to.F32(pose.Quantum);
+        to.F32(pose.RunRate);
+        to.U32(pose.ForwardCommand);
+        to.F32(pose.ForwardSpeed);
+        to.F32(pose.SidestepSpeed);
+        to.F32(pose.TurnSpeed);
+        to.U16((ushort)players);
+        return bytes;
+    }
+
+    /// <summary>
+    /// <c>u8 kind, f64 time, u16 count</c>, then for each <c>u32 player, u8 teleports, u8 0, u16 flags, f32 charge, u32 cell, f32[3] position, f32 yaw,
+    /// f32[3] velocity, f32 forward, f32 sidestep</c> (the last two are the commands' speeds).
+    /// </summary>
+    public static byte[] Others(double time, uint self, IReadOnlyList<(uint Id, PlayerPose Pose)> players)
+    {
+        int count = players.Count(player => player.Id != self);
+        byte[] bytes = new byte[OthersHeaderLength + (count * OtherLength)];
+        Writer to = new(bytes);
+        to.U8((byte)FrameKind.Others);
+        to.F64(time);
+        to.U16((ushort)count);
+        foreach ((uint id, PlayerPose pose) in players)
+        {
+            if (id == self) continue;
+            to.U32(id);
+            to.U8(pose.Teleports);
+            to.U8(0);
+            to.U16((ushort)pose.Flags);
+            to.F32(pose.Charge);
+            to.U32(pose.CellId);
+            to.Vector(pose.Position);
+            to.F32(pose.Yaw);
+            to.Vector(pose.Velocity);
+            to.F32(pose.ForwardSpeed);
+            to.F32(pose.SidestepSpeed);
+        }
+
+        return bytes;
+    }
+
+    /// <summary><c>u8 kind, u8 event, f64 time, f32 value, u32 code</c>.</summary>
+    public static byte[] Event(in PlayerEvent happened)
+    {
+        byte[] bytes = new byte[EventLength];
+        Writer to = new(bytes);
+        to.U8((byte)FrameKind.Event);
+        to.U8((byte)happened.Kind);
+        to.F64(happened.Time);
+        to.F32(happened.Value);
+        to.U32(happened.Code);
+        return bytes;
+    }
+
+    /// <summary>Speed over ground, metres a second.</summary>
+    public static float GroundSpeed(in PlayerPose pose) => new Vector2(pose.Velocity.X, pose.Velocity.Y).Length();
+
+    private ref struct Writer(Span<byte> bytes)
+    {
+        private Span<byte> rest = bytes;
+
+        public void U8(byte value)
+        {
+            rest[0] = value;
+            rest = rest[1..];
+        }
+
+        public void U16(ushort value)
+        {
+            BinaryPrimitives.WriteUInt16LittleEndian(rest, value);
+            rest = rest[2..];
+        }
+
+        public void U32(uint value)
+        {
+            BinaryPrimitives.WriteUInt32LittleEndian(rest, value);
+            rest = rest[4..];
+        }
+
+        public void F32(float value)
+        {
+            BinaryPrimitives.WriteSingleLittleEndian(rest, value);
+            rest = rest[4..];
+        }
+
+        public void F64(double value)
+        {
+            BinaryPrimitives.WriteDoubleLittleEndian(rest, value);
+            rest = rest[8..];
+        }
+
+        public void Vector(Vector3 value)
+        {
+            F32(value.X);
+            F32(value.Y);
+            F32(value.Z);
+        }
+    }
+}

@@ -1,0 +1,25 @@
+using Microsoft.Extensions.Logging;
+
+namespace Surefoot.Workbench;
+
+/// <summary>What a workbench serves, and where.</summary>
+public sealed record WorkbenchOptions
+{
+    /// <summary>The port that <c>./play</c> uses.</summary>
+    public const int DefaultPort = 5150;
+
+    /// <summary>Folder with the dat files; null for the demo world, which is written first when it is not cached yet.</summary>
+    public string? DatFolder { get; init; }
+
+    /// <summary>Named places; null for the demo world's own, or for some well-known towns of the retail world.</summary>
+    public IReadOnlyList<WorkbenchPlace>? Places { get; init; }
+
+    /// <summary>Port on the loopback address; when it is taken, the next free one. 0 for any free port.</summary>
+    public int Port { get; init; } = DefaultPort;
+
+    /// <summary>How many pages may play at once, 1 to 256. One more is answered with 503.</summary>
+    public int MaxPlayers { get; init; } = 32;
+
+    /// <summary>Where to log; null for nowhere.</summary>
+    public ILoggerFactory? LoggerFactory { get; init; }
+}

@@ -1,0 +1,10 @@
+using System.Numerics;
+
+namespace Surefoot.Workbench;
+
+/// <summary>A named place that the page's menu offers.</summary>
+/// <param name="Name">Shown in the menu; unique.</param>
+/// <param name="CellId">Cell, 0xXXYYCCCC.</param>
+/// <param name="Position">Metres in the cell's landblock: x east, y north, z up.</param>
+/// <param name="Yaw">Facing, radians about z, counter-clockwise from north.</param>
+public sealed record WorkbenchPlace(string Name, uint CellId, Vector3 Position, float Yaw);

@@ -1,0 +1,97 @@
+// Third-person camera: looks over the player's shoulder, turns with it, orbits while a mouse button drags, comes closer with the wheel.
+
+import * as THREE from "three";
+import { wrapAngle } from "./timeline";
+
+const eyeHeight = 1.45;
+const clearance = 0.45;
+
+export class FollowCamera {
+  readonly camera = new THREE.PerspectiveCamera(62, 1, 0.1, 4000);
+  private distance = 6.5;
+  private wantedDistance = 6.5;
+  private orbit = 0;
+  private pitch = 0.3;
+  private yaw = Number.NaN;
+  private recentering = false;
+  private readonly target = new THREE.Vector3();
+  private height = Number.NaN;
+
+  constructor(surface: HTMLElement) {
+    this.camera.up.set(0, 0, 1);
+    surface.addEventListener("pointerdown", (event) => {
+      surface.setPointerCapture(event.pointerId);
+      surface.classList.add("orbiting");
+    });
+    surface.addEventListener("pointermove", (event) => {
+      if (surface.hasPointerCapture(event.pointerId)) this.drag(event.movementX, event.movementY);
+    });
+    surface.addEventListener("pointerup", () => surface.classList.remove("orbiting"));
+    surface.addEventListener("pointercancel", () => surface.classList.remove("orbiting"));
+    surface.addEventListener("contextmenu", (event) => event.preventDefault());
+    surface.addEventListener("dblclick", () => this.recenter());
+    surface.addEventListener("wheel", (event) => {
+      event.preventDefault();
+      const lines = event.deltaMode === WheelEvent.DOM_DELTA_PIXEL ? event.deltaY / 100 : event.deltaY / 3;
+      this.wantedDistance = THREE.MathUtils.clamp(this.wantedDistance * Math.exp(lines * 0.14), 1.6, 90);
+    }, { passive: false });
+  }
+
+  /** Angle between the view and the player's facing, radians. */
+  get orbitAngle(): number {
+    return this.orbit;
+  }
+
+  get zoom(): number {
+    return this.wantedDistance;
+  }
+
+  /** Swings back behind the player. */
+  recenter(): void {
+    this.recentering = true;
+  }
+
+  /** Jumps instead of following, after the player was placed elsewhere. */
+  cut(): void {
+    this.yaw = Number.NaN;
+    this.height = Number.NaN;
+  }
+
+  resize(width: number, height: number): void {
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+  }
+
+  /**
+   * @param feet the player's feet, relative to the drawing's origin
+   * @param facing the player's yaw
+   * @param groundAt ground height at a point relative to the origin, or null
+   */
+  update(feet: THREE.Vector3, facing: number, dt: number, groundAt: (x: number, y: number) => number | null): void {
+    const ease = (rate: number): number => 1 - Math.exp(-rate * dt);
+    if (this.recentering) {
+      this.orbit -= this.orbit * ease(7);
+      this.pitch += (0.3 - this.pitch) * ease(7);
+      this.recentering = Math.abs(this.orbit) > 0.005;
+    }
+    this.yaw = Number.isNaN(this.yaw) ? facing : this.yaw + wrapAngle(facing - this.yaw) * ease(14);
+    // Heights come in steps of terrain edges; the camera glides over them, but never falls far behind a jump or a fall.
+    this.height = Number.isNaN(this.height) ? feet.z : this.height + (feet.z - this.height) * ease(12);
+    this.distance += (this.wantedDistance - this.distance) * ease(10);
+    this.target.set(feet.x, feet.y, this.height + eyeHeight);
+
+    const angle = this.yaw + this.orbit;
+    const flat = Math.cos(this.pitch) * this.distance;
+    const eye = this.camera.position;
+    eye.set(this.target.x + Math.sin(angle) * flat, this.target.y - Math.cos(angle) * flat, this.target.z + Math.sin(this.pitch) * this.distance);
+    const ground = groundAt(eye.x, eye.y);
+    if (ground !== null && eye.z < ground + clearance) eye.z = ground + clearance;
+    this.camera.lookAt(this.target);
+  }
+
+  private drag(dx: number, dy: number): void {
+    this.recentering = false;
+    this.orbit = wrapAngle(this.orbit - dx * 0.0055);
+    this.pitch = THREE.MathUtils.clamp(this.pitch + dy * 0.0045, -0.5, 1.5);
+  }
+}

@@ -1,0 +1,64 @@
+// The renderer, and how much it may ask of the machine.
+
+import * as THREE from "three";
+import { FollowCamera } from "./camera";
+import { makeNoiseTexture } from "./noise";
+import { Lights, Sky } from "./sky";
+
+const slowFrame = 1 / 40;
+
+export class Stage {
+  readonly scene = new THREE.Scene();
+  readonly noise = makeNoiseTexture();
+  readonly sky = new Sky(this.noise);
+  readonly lights = new Lights();
+  readonly view: FollowCamera;
+  private readonly renderer: THREE.WebGLRenderer;
+  private ratio = Math.min(devicePixelRatio, 2);
+  private average = 1 / 60;
+  private settled = 0;
+
+  constructor(canvas: HTMLCanvasElement) {
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: devicePixelRatio < 2, powerPreference: "high-performance" });
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = THREE.PCFShadowMap;
+    this.renderer.toneMapping = THREE.NoToneMapping;
+    this.view = new FollowCamera(canvas);
+    this.scene.fog = this.sky.fog;
+    this.scene.add(this.sky.mesh, this.lights.group);
+    addEventListener("resize", () => this.resize());
+    this.resize();
+  }
+
+  /** Smoothed time of a frame, seconds. */
+  get frameTime(): number {
+    return this.average;
+  }
+
+  render(dt: number): void {
+    this.renderer.render(this.scene, this.view.camera);
+    this.adapt(dt);
+  }
+
+  /** A machine that cannot draw 40 frames a second gives up frosted glass, then sharpness, then shadows: motion comes first. */
+  private adapt(dt: number): void {
+    if (dt > 0.5) return;
+    this.average += (dt - this.average) * 0.05;
+    if (++this.settled < 60 || this.average < slowFrame) return;
+    this.settled = 0;
+    if (!document.body.classList.contains("plain")) {
+      document.body.classList.add("plain");
+    } else if (this.ratio > 0.5) {
+      this.ratio = Math.max(0.5, this.ratio * 0.7);
+      this.resize();
+    } else if (this.lights.sun.castShadow) {
+      this.lights.sun.castShadow = false;
+    }
+  }
+
+  private resize(): void {
+    this.renderer.setPixelRatio(this.ratio);
+    this.renderer.setSize(innerWidth, innerHeight, false);
+    this.view.resize(innerWidth, innerHeight);
+  }
+}

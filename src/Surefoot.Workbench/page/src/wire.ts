@@ -1,0 +1,240 @@
+// The frames between this page and the server; `Wire/` in the server's source says the same. All numbers are little-endian.
+
+export const wireVersion = 1;
+
+export const Key = {
+  Forward: 1,
+  Back: 2,
+  TurnLeft: 4,
+  TurnRight: 8,
+  SidestepLeft: 16,
+  SidestepRight: 32,
+  Walk: 64,
+  Jump: 128,
+} as const;
+
+export const PoseFlag = {
+  Contact: 1,
+  OnWalkable: 2,
+  Charging: 4,
+  StandingLongJump: 8,
+  InWater: 16,
+  Nowhere: 32,
+} as const;
+
+export const EventKind = { Jumped: 1, Landed: 2, JumpRefused: 3, RunRateChanged: 4 } as const;
+
+export interface Vec3 {
+  x: number;
+  y: number;
+  z: number;
+}
+
+export interface Welcome {
+  kind: "welcome";
+  version: number;
+  player: number;
+  runSkill: number;
+  jumpSkill: number;
+  burden: number;
+  burdenCapacity: number;
+  maxSkill: number;
+  maxBurden: number;
+  places: number;
+  minQuantum: number;
+}
+
+/** What both one's own pose and another player's say. Position: metres in the landblock of `cell`. Yaw: radians, counter-clockwise from north. */
+export interface Pose {
+  teleports: number;
+  flags: number;
+  time: number;
+  cell: number;
+  position: Vec3;
+  yaw: number;
+  velocity: Vec3;
+  charge: number;
+  forward: number;
+  sidestep: number;
+}
+
+export interface OwnPose extends Pose {
+  kind: "pose";
+  step: number;
+  sequence: number;
+  planeNormal: Vec3;
+  planeDistance: number;
+  speed: number;
+  quantum: number;
+  runRate: number;
+  command: number;
+  turn: number;
+  players: number;
+}
+
+export interface OtherPose extends Pose {
+  player: number;
+}
+
+export interface Others {
+  kind: "others";
+  time: number;
+  players: OtherPose[];
+}
+
+export interface PlayerEvent {
+  kind: "event";
+  event: number;
+  time: number;
+  value: number;
+  code: number;
+}
+
+export type ServerFrame = Welcome | OwnPose | Others | PlayerEvent;
+
+const lengths = { welcome: 30, pose: 102, othersHeader: 11, other: 52, event: 18 };
+
+export function encodeInput(keys: number, sequence: number): ArrayBuffer {
+  const view = new DataView(new ArrayBuffer(6));
+  view.setUint8(0, 0x01);
+  view.setUint8(1, keys);
+  view.setUint32(2, sequence, true);
+  return view.buffer;
+}
+
+export function encodeSettings(runSkill: number, jumpSkill: number, burden: number): ArrayBuffer {
+  const view = new DataView(new ArrayBuffer(9));
+  view.setUint8(0, 0x02);
+  view.setUint16(1, runSkill, true);
+  view.setUint16(3, jumpSkill, true);
+  view.setUint32(5, burden, true);
+  return view.buffer;
+}
+
+export function encodeGoto(place: number): ArrayBuffer {
+  const view = new DataView(new ArrayBuffer(3));
+  view.setUint8(0, 0x03);
+  view.setUint16(1, place, true);
+  return view.buffer;
+}
+
+/** Reads a frame of the server; null for one this page does not know. */
+export function decode(buffer: ArrayBuffer): ServerFrame | null {
+  const read = new Reader(buffer);
+  if (buffer.byteLength === 0) return null;
+  switch (read.u8()) {
+    case 0x81:
+      return buffer.byteLength === lengths.welcome ? decodeWelcome(read) : null;
+    case 0x82:
+      return buffer.byteLength === lengths.pose ? decodePose(read) : null;
+    case 0x83:
+      return buffer.byteLength >= lengths.othersHeader ? decodeOthers(read, buffer.byteLength) : null;
+    case 0x84:
+      return buffer.byteLength === lengths.event ? decodeEvent(read) : null;
+    default:
+      return null;
+  }
+}
+
+function decodeWelcome(read: Reader): Welcome {
+  return {
+    kind: "welcome",
+    version: read.u8(),
+    player: read.u32(),
+    runSkill: read.u16(),
+    jumpSkill: read.u16(),
+    burden: read.u32(),
+    burdenCapacity: read.u32(),
+    maxSkill: read.u16(),
+    maxBurden: read.u32(),
+    places: read.u16(),
+    minQuantum: read.f32(),
+  };
+}
+
+function decodePose(read: Reader): OwnPose {
+  return {
+    kind: "pose",
+    teleports: read.u8(),
+    flags: read.u16(),
+    step: read.u32(),
+    sequence: read.u32(),
+    time: read.f64(),
+    cell: read.u32(),
+    position: read.vec3(),
+    yaw: read.f32(),
+    velocity: read.vec3(),
+    planeNormal: read.vec3(),
+    planeDistance: read.f32(),
+    speed: read.f32(),
+    charge: read.f32(),
+    quantum: read.f32(),
+    runRate: read.f32(),
+    command: read.u32(),
+    forward: read.f32(),
+    sidestep: read.f32(),
+    turn: read.f32(),
+    players: read.u16(),
+  };
+}
+
+function decodeOthers(read: Reader, length: number): Others | null {
+  const time = read.f64();
+  const count = read.u16();
+  if (length !== lengths.othersHeader + count * lengths.other) return null;
+  const players: OtherPose[] = [];
+  for (let i = 0; i < count; i++) {
+    const player = read.u32();
+    const teleports = read.u8();
+    read.u8();
+    const flags = read.u16();
+    const charge = read.f32();
+    const cell = read.u32();
+    const position = read.vec3();
+    const yaw = read.f32();
+    const velocity = read.vec3();
+    players.push({ player, teleports, flags, time, charge, cell, position, yaw, velocity, forward: read.f32(), sidestep: read.f32() });
+  }
+  return { kind: "others", time, players };
+}
+
+function decodeEvent(read: Reader): PlayerEvent {
+  return { kind: "event", event: read.u8(), time: read.f64(), value: read.f32(), code: read.u32() };
+}
+
+class Reader {
+  private readonly view: DataView;
+  private at = 0;
+
+  constructor(buffer: ArrayBuffer) {
+    this.view = new DataView(buffer);
+  }
+
+  u8(): number {
+    return this.view.getUint8(this.at++);
+  }
+
+  u16(): number {
+    this.at += 2;
+    return this.view.getUint16(this.at - 2, true);
+  }
+
+  u32(): number {
+    this.at += 4;
+    return this.view.getUint32(this.at - 4, true);
+  }
+
+  f32(): number {
+    this.at += 4;
+    return this.view.getFloat32(this.at - 4, true);
+  }
+
+  f64(): number {
+    this.at += 8;
+    return this.view.getFloat64(this.at - 8, true);
+  }
+
+  vec3(): Vec3 {
+    return { x: this.f32(), y: this.f32(), z: this.f32() };
+  }
+}

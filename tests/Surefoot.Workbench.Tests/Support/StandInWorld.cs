@@ -1,0 +1,126 @@
+using System.Numerics;
+using Surefoot.Workbench.Simulation;
+using Surefoot.Workbench.Wire;
+
+namespace Surefoot.Workbench.Tests.Support;
+
+/// <summary>A world of one rule each, for tests of what carries it: level ground at 20 m, steps of at least 1/30 s, the formulas' speeds at once.</summary>
+internal sealed class StandInWorld : IWorkbenchWorld
+{
+    public const float Ground = 20f;
+
+    private readonly List<StandInPlayer> players = [];
+    private double last = double.NaN;
+
+    public string Name => "Stand-in";
+
+    public IReadOnlyList<WorkbenchPlace> Places { get; } =
+    [
+        new("Middle", 0xA9B40025, new Vector3(100, 100, Ground), 0),
+        new("Far east", 0xAAB40025, new Vector3(100, 100, Ground), -MathF.PI / 2),
+    ];
+
+    public int BurdenCapacity => 15_000;
+
+    public int PlayerCount => players.Count;
+
+    public bool Disposed { get; private set; }
+
+    public IWorkbenchPlayer Join(uint id, PlayerSettings settings, WorkbenchPlace place, double now)
+    {
+        StandInPlayer player = new(settings, place, now);
+        players.Add(player);
+        return player;
+    }
+
+    public void Leave(IWorkbenchPlayer player) => players.Remove((StandInPlayer)player);
+
+    public bool Advance(double now)
+    {
+        if (double.IsNaN(last)) last = now;
+        float quantum = (float)(now - last);
+        if (quantum < WireLimits.MinQuantum) return false;
+        last = now;
+        foreach (StandInPlayer player in players) player.Step(quantum, now);
+        return true;
+    }
+
+    public TerrainBlock? ReadTerrain(ushort block)
+    {
+        if (block is < 0x1000 or > 0xEFFF) return null;
+        float[] heights = new float[81];
+        Array.Fill(heights, Ground);
+        ushort[] words = new ushort[81];
+        Array.Fill(words, (ushort)(1 << 2));
+        return new TerrainBlock(heights, words, [.. Enumerable.Range(0, 64).Select(cell => cell % 3 == 0)]);
+    }
+
+    public void Dispose() => Disposed = true;
+
+    private sealed class StandInPlayer(PlayerSettings settings, WorkbenchPlace place, double joined) : IWorkbenchPlayer
+    {
+        private readonly Queue<PlayerEvent> events = [];
+        private PlayerSettings settings = settings;
+        private PlayerKeys keys;
+        private double chargedSince = double.NaN;
+        private Vector3 velocity;
+        private bool airborne;
+
+        public PlayerPose Pose { get; private set; } = new(
+            joined, place.CellId, place.Position, place.Yaw, Vector3.Zero, PoseFlags.Contact | PoseFlags.OnWalkable, new Plane(Vector3.UnitZ, -Ground), 0,
+            WireLimits.MinQuantum, 1, 0x41000003, 1, 0, 0, 0);
+
+        public void SetKeys(PlayerKeys now, double time)
+        {
+            if (now.HasFlag(PlayerKeys.Jump) && !keys.HasFlag(PlayerKeys.Jump)) chargedSince = time;
+            if (!now.HasFlag(PlayerKeys.Jump) && keys.HasFlag(PlayerKeys.Jump)) Jump(time);
+            keys = now;
+        }
+
+        public void Configure(PlayerSettings changed, double time) => settings = changed;
+
+        public void Goto(WorkbenchPlace where, double time) =>
+            Pose = Pose with { CellId = where.CellId, Position = where.Position, Yaw = where.Yaw, Teleports = (byte)(Pose.Teleports + 1) };
+
+        public bool TryTakeEvent(out PlayerEvent happened) => events.TryDequeue(out happened);
+
+        public void Step(float quantum, double now)
+        {
+            float rate = ((settings.RunSkill / (settings.RunSkill + 200f) * 11f) + 4f) / 4f;
+            float turn = Axis(PlayerKeys.TurnLeft, PlayerKeys.TurnRight) * 1.5f;
+            float yaw = Pose.Yaw + (turn * quantum);
+            float forward = keys.HasFlag(PlayerKeys.Forward) ? 1 : keys.HasFlag(PlayerKeys.Back) ? -0.65f : 0;
+            float side = -Axis(PlayerKeys.SidestepLeft, PlayerKeys.SidestepRight);
+            float speed = keys.HasFlag(PlayerKeys.Walk) ? 3.12f : 4f * rate;
+            if (!airborne) velocity = new Vector3((-MathF.Sin(yaw) * forward) + (MathF.Cos(yaw) * side), (MathF.Cos(yaw) * forward) + (MathF.Sin(yaw) * side), 0) * speed;
+            else velocity.Z -= 9.8f * quantum;
+            Vector3 position = Pose.Position + (velocity * quantum);
+            if (airborne && position.Z <= Ground)
+            {
+                events.Enqueue(new PlayerEvent(PlayerEventKind.Landed, now, -velocity.Z));
+                airborne = false;
+                position.Z = Ground;
+            }
+
+            PoseFlags flags = airborne ? PoseFlags.None : PoseFlags.Contact | PoseFlags.OnWalkable;
+            float charge = double.IsNaN(chargedSince) ? 0 : (float)Math.Min(1, now - chargedSince);
+            if (!double.IsNaN(chargedSince)) flags |= PoseFlags.Charging;
+            Pose = Pose with
+            {
+                Time = now, Position = position, Yaw = yaw, Velocity = velocity, Flags = flags, Charge = charge, Quantum = quantum, RunRate = rate,
+                ForwardSpeed = forward, SidestepSpeed = side, TurnSpeed = turn,
+            };
+        }
+
+        private void Jump(double time)
+        {
+            float extent = (float)Math.Min(1, time - chargedSince);
+            chargedSince = double.NaN;
+            airborne = true;
+            velocity.Z = MathF.Sqrt(19.6f * 4.2f * Math.Max(extent, 0.1f));
+            events.Enqueue(new PlayerEvent(PlayerEventKind.Jumped, time, extent));
+        }
+
+        private float Axis(PlayerKeys positive, PlayerKeys negative) => (keys.HasFlag(positive) ? 1 : 0) - (keys.HasFlag(negative) ? 1 : 0);
+    }
+}
