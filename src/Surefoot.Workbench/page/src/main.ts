@@ -33,6 +33,7 @@ let clock = new ServerClock(1 / 30);
 let places: Place[] = [];
 let drawnTeleports = -1;
 let frame = 0;
+let drawnAt = 0;
 const events: PlayerEvent[] = [];
 
 const connection = new Connection(receive, (state) => {
@@ -126,6 +127,7 @@ function draw(): void {
   lastFrame = now;
   frame++;
   const time = clock.drawTime(now);
+  drawnAt = time;
   if (me && pose) drawMe(me, pose, time, now, dt);
   for (const player of others.values()) move(player, time, now, dt);
   terrain.uniforms.time.value = now % 3600;
@@ -216,9 +218,9 @@ const inspection = {
   get player(): number | null {
     return welcome?.player ?? null;
   },
-  /** The drawn player: global metres, radians, seconds of the server's clock. */
+  /** The player as drawn in the last frame: global metres, radians; `at` is the moment drawn, seconds of the server's clock. */
   get drawn(): (Drawn & { at: number }) | null {
-    return me?.drawn ? { ...me.drawn, at: clock.drawTime(performance.now() / 1000) } : null;
+    return me?.drawn ? { ...me.drawn, at: drawnAt } : null;
   },
   get others(): { player: number; position: { x: number; y: number; z: number } | null }[] {
     return [...others].map(([player, one]) => ({ player, position: one.drawn?.position ?? null }));

@@ -1,0 +1,38 @@
+import { describe, expect, it } from "vitest";
+import samples from "./wire.samples.json";
+import { decode, encodeGoto, encodeInput, encodeSettings } from "./wire";
+
+const bytes = (hex: string): ArrayBuffer =>
+  Uint8Array.from(hex.replaceAll(" ", "").match(/../g) ?? [], (pair) => parseInt(pair, 16)).buffer;
+const vec = ([x, y, z]: number[]): object => ({ x, y, z });
+
+describe("frames of the page", () => {
+  it("are the sample's bytes", () => {
+    expect(encodeInput(samples.input.keys, samples.input.sequence)).toEqual(bytes(samples.input.hex));
+    expect(encodeSettings(samples.settings.runSkill, samples.settings.jumpSkill, samples.settings.burden)).toEqual(bytes(samples.settings.hex));
+    expect(encodeGoto(samples.goto.place)).toEqual(bytes(samples.goto.hex));
+  });
+});
+
+describe("frames of the server", () => {
+  it("have the sample's values", () => {
+    const { hex: welcomeHex, ...welcome } = samples.welcome;
+    expect(decode(bytes(welcomeHex))).toEqual({ kind: "welcome", ...welcome });
+    const { hex: poseHex, ...pose } = samples.pose;
+    const vectors = { position: vec(pose.position), velocity: vec(pose.velocity), planeNormal: vec(pose.planeNormal) };
+    expect(decode(bytes(poseHex))).toEqual({ kind: "pose", ...pose, ...vectors });
+    const other = samples.others.player;
+    const player = { ...other, time: samples.others.time, position: vec(other.position), velocity: vec(other.velocity) };
+    expect(decode(bytes(samples.others.hex))).toEqual({ kind: "others", time: samples.others.time, players: [player] });
+    const { hex: eventHex, ...event } = samples.event;
+    expect(decode(bytes(eventHex))).toEqual({ kind: "event", ...event });
+  });
+
+  it("are refused when their length is wrong", () => {
+    for (const hex of [samples.welcome.hex, samples.pose.hex, samples.others.hex, samples.event.hex]) {
+      const whole = bytes(hex);
+      for (let length = 0; length < whole.byteLength; length++) expect(decode(whole.slice(0, length))).toBeNull();
+    }
+    expect(decode(bytes("7f 00"))).toBeNull();
+  });
+});

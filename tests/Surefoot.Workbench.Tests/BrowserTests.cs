@@ -1,0 +1,228 @@
+using System.Collections.Concurrent;
+using System.Globalization;
+using System.Text.Json;
+using Microsoft.Playwright;
+using Surefoot.Workbench.Simulation;
+using Surefoot.Workbench.Tests.Support;
+
+namespace Surefoot.Workbench.Tests;
+
+/// <summary>The page in a real browser on a real server. Times are the server's, so a slow machine changes how often something is drawn, not what.</summary>
+public sealed class BrowserTests(Browser browser) : IClassFixture<Browser>, IAsyncLifetime
+{
+    // spec/01, section 6: run skill 300 without burden.
+    private const double RunSpeed = 10.6000004;
+
+    private readonly ConcurrentDictionary<(uint Player, uint Step), PlayerPose> published = new();
+    private WorkbenchServer server = null!;
+
+    public async ValueTask InitializeAsync()
+    {
+        server = await Worlds.StartAsync();
+        server.Loop.PosePublished = (player, step, pose) => published[(player, step)] = pose;
+    }
+
+    public async ValueTask DisposeAsync() => await server.DisposeAsync();
+
+    [Fact]
+    [Behaviour("workbench.browser.run-speed", "issue 3, acceptance: W for two seconds moves the drawn player the formula's distance within 5 %; spec/01, 4.1")]
+    public async Task W_held_two_seconds_moves_the_drawn_player_the_formulas_distance()
+    {
+        await using Tab tab = await browser.OpenAsync(server);
+        await tab.Page.Keyboard.DownAsync("w");
+        await tab.Until($"window.surefoot.pose.speed > {0.97 * RunSpeed}", "the player runs");
+        double start = await tab.Number("window.surefoot.pose.time");
+        await tab.Until($"window.surefoot.drawn.at > {Text(start)}", "the run is drawn");
+        JsonElement first = await tab.Read("window.surefoot.drawn");
+        await tab.Until($"window.surefoot.drawn.at >= {Text(first.GetProperty("at").GetDouble() + 2)}", "two seconds have been drawn");
+        JsonElement last = await tab.Read("window.surefoot.drawn");
+        await tab.Page.Keyboard.UpAsync("w");
+        double seconds = last.GetProperty("at").GetDouble() - first.GetProperty("at").GetDouble();
+        Assert.InRange(Flat(first, last), 0.95 * RunSpeed * seconds, 1.05 * RunSpeed * seconds);
+        await tab.Until("window.surefoot.pose.speed < 0.01", "the player stands when the key is let go");
+        Assert.Empty(tab.Complaints);
+    }
+
+    [Fact]
+    [Behaviour("workbench.browser.smooth-between-steps", "issue 3, item 6: smooth motion while physics runs at its own quantum")]
+    public async Task Drawn_positions_lie_on_the_line_between_physics_steps()
+    {
+        await using Tab tab = await browser.OpenAsync(server);
+        await tab.Page.Keyboard.DownAsync("w");
+        await tab.Until($"window.surefoot.pose.speed > {0.97 * RunSpeed}", "the player runs");
+        await Task.Delay(400);
+        JsonElement samples = await Sample(tab, 40);
+        await tab.Page.Keyboard.UpAsync("w");
+        uint player = (uint)await tab.Number("window.surefoot.player");
+        PlayerPose[] poses = [.. published.Where(one => one.Key.Player == player).Select(one => one.Value).OrderBy(pose => pose.Time)];
+        int between = 0;
+        foreach (JsonElement drawn in samples.EnumerateArray())
+        {
+            double at = drawn.GetProperty("at").GetDouble();
+            int after = Array.FindIndex(poses, pose => pose.Time >= at);
+            if (after <= 0) continue;
+            PlayerPose a = poses[after - 1], b = poses[after];
+            double share = (at - a.Time) / (b.Time - a.Time);
+            double y = Global(a).Y + ((Global(b).Y - Global(a).Y) * share);
+            double x = Global(a).X + ((Global(b).X - Global(a).X) * share);
+            double off = Math.Sqrt(Math.Pow(x - Coordinate(drawn, "x"), 2) + Math.Pow(y - Coordinate(drawn, "y"), 2));
+            // When a busy machine delivers a pose late, the page goes on at the last velocity instead, which on level ground is the same line.
+            Assert.True(off < 0.05, $"The player is drawn {off:F3} m off the line at {at:F3} s");
+            if (share is > 0.05 and < 0.95) between++;
+        }
+
+        Assert.True(between > 10, $"Only {between} of the frames drawn were between two steps");
+    }
+
+    [Fact]
+    [Behaviour("workbench.browser.jump", "issue 3, acceptance: Space held one second jumps; the bar fills; spec/01, 4.12")]
+    public async Task Space_held_one_second_fills_the_bar_and_jumps()
+    {
+        await using Tab tab = await browser.OpenAsync(server);
+        double ground = await tab.Number("window.surefoot.drawn.position.z");
+        await tab.Page.Keyboard.DownAsync("Space");
+        await tab.Until("window.surefoot.bar > 0.05 && window.surefoot.bar < 1", "the bar is filling");
+        await tab.Until("window.surefoot.bar === 1", "the bar is full");
+        await tab.Page.Keyboard.UpAsync("Space");
+        await tab.Until("window.surefoot.drawn.airborne", "the player is in the air");
+        await tab.Until($"window.surefoot.drawn.position.z > {Text(ground + 1)}", "the player rises by more than a metre");
+        await tab.Until("!window.surefoot.drawn.airborne", "the player lands");
+        JsonElement events = await tab.Read("window.surefoot.events.map(one => [one.event, one.value])");
+        Assert.Contains(events.EnumerateArray(), one => one[0].GetInt32() == (int)PlayerEventKind.Jumped && one[1].GetDouble() == 1);
+        Assert.Contains(events.EnumerateArray(), one => one[0].GetInt32() == (int)PlayerEventKind.Landed);
+        Assert.Equal(0, await tab.Number("window.surefoot.bar"));
+        Assert.Equal(ground, await tab.Number("window.surefoot.pose.position.z"), 0.01);
+    }
+
+    [Fact]
+    [Behaviour("workbench.browser.panel-agrees", "issue 3, acceptance: the panel's numbers agree with the server's")]
+    public async Task The_panel_shows_the_servers_numbers_standing_and_running()
+    {
+        await using Tab tab = await browser.OpenAsync(server);
+        await ComparePanel(tab);
+        await tab.Page.Keyboard.DownAsync("w");
+        await tab.Page.Keyboard.DownAsync("d");
+        await tab.Until("window.surefoot.pose.speed > 3", "the player moves");
+        for (int i = 0; i < 5; i++)
+        {
+            await ComparePanel(tab);
+            await Task.Delay(150);
+        }
+
+        await tab.Page.Keyboard.UpAsync("d");
+        await tab.Page.Keyboard.UpAsync("w");
+    }
+
+    [Fact]
+    [Behaviour("workbench.browser.skill-sliders", "issue 3, item 6: sliders for run skill, jump skill, burden; spec/01, 6")]
+    public async Task The_sliders_change_the_speed()
+    {
+        await using Tab tab = await browser.OpenAsync(server);
+        await tab.Page.Locator("#run-skill").FillAsync("0");
+        await tab.Page.Keyboard.DownAsync("w");
+        await tab.Until("Math.abs(window.surefoot.pose.speed - 4) < 0.1", "skill 0 runs 4 m/s");
+        await tab.Page.Locator("#run-skill").FillAsync("300");
+        await tab.Until($"Math.abs(window.surefoot.pose.speed - {RunSpeed}) < 0.3", "skill 300 runs 10.6 m/s");
+        await tab.Page.Keyboard.DownAsync("Shift");
+        await tab.Until("Math.abs(window.surefoot.pose.speed - 3.12) < 0.1", "Shift walks at 3.12 m/s");
+        await tab.Page.Keyboard.UpAsync("Shift");
+        await tab.Page.Keyboard.UpAsync("w");
+    }
+
+    [Fact]
+    [Behaviour("workbench.browser.camera-places-triangles", "issue 3, item 6: camera orbits with the mouse, jump to a named place, triangles on demand")]
+    public async Task Mouse_menu_and_keys_do_what_the_help_says()
+    {
+        await using Tab tab = await browser.OpenAsync(server);
+        IPage page = tab.Page;
+        await page.Mouse.MoveAsync(300, 250);
+        await page.Mouse.DownAsync();
+        await page.Mouse.MoveAsync(400, 250, new MouseMoveOptions { Steps = 4 });
+        await page.Mouse.UpAsync();
+        await tab.Until("Math.abs(window.surefoot.camera.orbit) > 0.3", "dragging orbits");
+        double zoom = await tab.Number("window.surefoot.camera.zoom");
+        await page.Mouse.WheelAsync(0, 500);
+        await tab.Until($"window.surefoot.camera.zoom > {Text(zoom)}", "the wheel moves the camera");
+        await page.Keyboard.PressAsync("c");
+        await tab.Until("Math.abs(window.surefoot.camera.orbit) < 0.01", "C looks ahead again");
+
+        await page.Keyboard.PressAsync("t");
+        Assert.True((await tab.Read("window.surefoot.triangles")).GetBoolean());
+        Assert.True(await page.Locator("#legend").IsVisibleAsync());
+        await page.Keyboard.PressAsync("h");
+        Assert.True(await page.Locator("#help").IsVisibleAsync());
+        await page.Keyboard.PressAsync("Escape");
+        Assert.False(await page.Locator("#help").IsVisibleAsync());
+
+        JsonElement places = await tab.Read("window.surefoot.places");
+        Assert.True(places.GetArrayLength() > 1);
+        await page.Locator("#places").SelectOptionAsync("1");
+        await tab.Until($"window.surefoot.pose.cell >>> 16 === {places[1].GetProperty("cell").GetUInt32() >> 16}", "the player is at the place");
+        await tab.Until("Math.hypot(window.surefoot.pose.position.x - window.surefoot.places[1].x, window.surefoot.pose.position.y - window.surefoot.places[1].y) < 1", "the player is at the place");
+        await tab.Until("window.surefoot.blocks > 8", "the land around is drawn");
+        Assert.Empty(tab.Complaints);
+    }
+
+    [Fact]
+    [Behaviour("workbench.browser.tabs", "issue 3, item 6: several tabs; a closed tab leaves nothing behind")]
+    public async Task Two_tabs_see_each_other_and_a_closed_one_is_gone()
+    {
+        await using Tab one = await browser.OpenAsync(server);
+        Tab two = await browser.OpenAsync(server);
+        uint id = (uint)await two.Number("window.surefoot.player");
+        await one.Until($"window.surefoot.others.some(other => other.player === {id} && other.position !== null)", "the first tab draws the second's player");
+        await two.DisposeAsync();
+        await one.Until("window.surefoot.others.length === 0", "the closed tab's player is gone");
+        await Eventually.Holds(() => server.Counters.Players == 1, "the server has one player");
+    }
+
+    private async Task ComparePanel(Tab tab)
+    {
+        JsonElement both = await tab.Read("({ panel: window.surefoot.panel, step: window.surefoot.pose.step, player: window.surefoot.player })");
+        JsonElement panel = both.GetProperty("panel");
+        PlayerPose pose = published[(both.GetProperty("player").GetUInt32(), both.GetProperty("step").GetUInt32())];
+        Assert.Equal(both.GetProperty("step").GetRawText(), Field("step"));
+        Assert.Equal($"0x{pose.CellId:X8}", Field("cell"));
+        AssertNumbers(0.006, Field("position"), pose.Position.X, pose.Position.Y, pose.Position.Z);
+        AssertNumbers(0.006, Field("speed").Replace("m/s", "", StringComparison.Ordinal), Math.Sqrt((pose.Velocity.X * pose.Velocity.X) + (pose.Velocity.Y * pose.Velocity.Y)));
+        AssertNumbers(0.06, Field("quantum").Replace("ms", "", StringComparison.Ordinal), pose.Quantum * 1000);
+        Assert.Equal(pose.Flags.HasFlag(PoseFlags.OnWalkable) ? "yes" : "no", Field("walkable"));
+        Assert.True(pose.Flags.HasFlag(PoseFlags.Contact));
+        AssertNumbers(0.0006, Field("plane"), pose.ContactPlane.Normal.X, pose.ContactPlane.Normal.Y, pose.ContactPlane.Normal.Z, pose.ContactPlane.D);
+
+        string Field(string name) => panel.GetProperty(name).GetString()!;
+    }
+
+    private static void AssertNumbers(double tolerance, string shown, params double[] expected)
+    {
+        double[] numbers = [.. shown.Split((char[])[' ', '\n'], StringSplitOptions.RemoveEmptyEntries).Select(one => double.Parse(one, CultureInfo.InvariantCulture))];
+        Assert.Equal(expected.Length, numbers.Length);
+        for (int i = 0; i < expected.Length; i++) Assert.Equal(expected[i], numbers[i], tolerance);
+    }
+
+    /// <summary>What the page draws in each of its next frames.</summary>
+    private static async Task<JsonElement> Sample(Tab tab, int frames) =>
+        JsonDocument.Parse(await tab.Page.EvaluateAsync<string>(
+            """
+            (frames) => new Promise((done) => {
+              const seen = [];
+              const take = () => {
+                seen.push(window.surefoot.drawn);
+                if (seen.length < frames) requestAnimationFrame(take);
+                else done(JSON.stringify(seen));
+              };
+              requestAnimationFrame(take);
+            })
+            """,
+            frames)).RootElement;
+
+    private static (double X, double Y) Global(in PlayerPose pose) =>
+        (((pose.CellId >> 24) * 192.0) + pose.Position.X, (((pose.CellId >> 16) & 0xFF) * 192.0) + pose.Position.Y);
+
+    private static double Flat(JsonElement a, JsonElement b) =>
+        Math.Sqrt(Math.Pow(Coordinate(a, "x") - Coordinate(b, "x"), 2) + Math.Pow(Coordinate(a, "y") - Coordinate(b, "y"), 2));
+
+    private static double Coordinate(JsonElement drawn, string axis) => drawn.GetProperty("position").GetProperty(axis).GetDouble();
+
+    private static string Text(double value) => value.ToString("R", CultureInfo.InvariantCulture);
+}

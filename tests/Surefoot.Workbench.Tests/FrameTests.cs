@@ -1,0 +1,72 @@
+using System.Numerics;
+using System.Text.Json;
+using CsCheck;
+using Surefoot.Workbench.Simulation;
+using Surefoot.Workbench.Wire;
+
+namespace Surefoot.Workbench.Tests;
+
+/// <summary>The samples are the ones that the page's own tests read, so that the two sides cannot drift apart.</summary>
+public sealed class FrameTests
+{
+    private const int Places = 300;
+    private static readonly JsonElement Samples = JsonDocument.Parse(File.ReadAllText(Path.Combine(AppContext.BaseDirectory, "wire.samples.json"))).RootElement;
+
+    private static readonly PlayerPose SamplePose = new(
+        12.5, 0xA9B40025, new Vector3(100, -1.5f, 20), 1, new Vector3(3, -4, 2), PoseFlags.Contact | PoseFlags.OnWalkable | PoseFlags.Charging,
+        new Plane(0, 0.5f, 0.75f, -20), 0.125f, 0.0625f, 2.5f, 0x44000007, 2.5f, -0.5f, -1.5f, 5);
+
+    [Fact]
+    [Behaviour("workbench.frames.page-and-server-agree", "design, Two commands; issue 3, item 6")]
+    public void Page_and_server_read_and_write_the_same_bytes()
+    {
+        Assert.True(ClientFrame.TryParse(Bytes("input"), Places, out ClientFrame input));
+        Assert.Equal(new ClientFrame(FrameKind.Input, PlayerKeys.Jump | PlayerKeys.Forward | PlayerKeys.TurnLeft, 0x12345678), input);
+        Assert.True(ClientFrame.TryParse(Bytes("settings"), Places, out ClientFrame settings));
+        Assert.Equal(new PlayerSettings(300, 250, 7000), settings.Settings);
+        Assert.True(ClientFrame.TryParse(Bytes("goto"), Places, out ClientFrame place));
+        Assert.Equal(258, place.Place);
+
+        Assert.Equal(Bytes("welcome"), ServerFrames.Welcome(7, new PlayerSettings(300, 250, 7000), 15_000, 9, 2));
+        Assert.Equal(Bytes("pose"), ServerFrames.Pose(SamplePose, 9, 10, 3));
+        Assert.Equal(Bytes("others"), ServerFrames.Others(12.5, 1, [(1, default), (2, SamplePose)]));
+        Assert.Equal(Bytes("event"), ServerFrames.Event(new PlayerEvent(PlayerEventKind.JumpRefused, 12.5, 2, 73)));
+    }
+
+    [Theory]
+    [Behaviour("workbench.frames.refuses-malformed", "issue 3, item 6: input from a page is untrusted")]
+    [InlineData("")]
+    [InlineData("00")]
+    [InlineData("01")]
+    [InlineData("01 01 000000")]
+    [InlineData("01 01 00000000 00")]
+    [InlineData("02 e903 0000 00000000")]
+    [InlineData("02 0000 e903 00000000")]
+    [InlineData("02 0000 0000 c9af0000")]
+    [InlineData("02 0000 0000 ffffffff")]
+    [InlineData("03 2c01")]
+    [InlineData("03 ffff")]
+    [InlineData("81 01 07000000")]
+    [InlineData("ff ffff ffff ffff ff")]
+    public void A_frame_of_wrong_length_kind_or_range_is_refused(string hex) =>
+        Assert.False(ClientFrame.TryParse(Convert.FromHexString(hex.Replace(" ", "", StringComparison.Ordinal)), Places, out _));
+
+    [Fact]
+    [Behaviour("workbench.frames.accepted-is-in-range", "issue 3, item 6: input from a page is untrusted")]
+    public void Whatever_the_bytes_an_accepted_frame_is_within_the_limits() =>
+        Gen.Byte.Array[0, 12].Sample(
+            bytes =>
+            {
+                if (bytes.Length > 0) bytes[0] &= 3;
+                if (!ClientFrame.TryParse(bytes, Places, out ClientFrame frame)) return true;
+                return bytes.Length <= WireLimits.LongestClientFrame && frame.Place is >= 0 and < Places
+                    && frame.Settings is { RunSkill: >= 0 and <= WireLimits.MaxSkill, JumpSkill: >= 0 and <= WireLimits.MaxSkill }
+                    && frame.Settings.Burden >= 0 && frame.Settings.Burden <= WireLimits.MaxBurden;
+            },
+            iter: 20_000 * Fuzz);
+
+    private static int Fuzz => int.TryParse(Environment.GetEnvironmentVariable("SUREFOOT_FUZZ"), out int times) && times > 0 ? times : 1;
+
+    private static byte[] Bytes(string sample) =>
+        Convert.FromHexString(Samples.GetProperty(sample).GetProperty("hex").GetString()!.Replace(" ", "", StringComparison.Ordinal));
+}

@@ -1,0 +1,194 @@
+using System.Buffers.Binary;
+using System.Net;
+using System.Net.Sockets;
+using System.Net.WebSockets;
+using System.Text.Json;
+using Surefoot.Workbench.Tests.Support;
+using Surefoot.Workbench.Wire;
+
+namespace Surefoot.Workbench.Tests;
+
+/// <summary>The server over real sockets, with a stand-in for the world: what is tested is what carries it.</summary>
+public sealed class ServerTests : IAsyncLifetime
+{
+    private readonly StandInWorld world = new();
+    private readonly HttpClient http = new();
+    private WorkbenchServer server = null!;
+
+    public async ValueTask InitializeAsync() => server = await WorkbenchServer.StartAsync(world, new WorkbenchOptions { Port = 0, MaxPlayers = 4 });
+
+    public async ValueTask DisposeAsync()
+    {
+        http.Dispose();
+        await server.DisposeAsync();
+    }
+
+    [Fact]
+    [Behaviour("workbench.server.serves-the-page", "issue 3, items 1 and 6")]
+    public async Task The_page_and_all_that_it_names_are_served()
+    {
+        using HttpResponseMessage page = await http.GetAsync(server.Address);
+        Assert.Equal(HttpStatusCode.OK, page.StatusCode);
+        Assert.Equal("text/html", page.Content.Headers.ContentType!.MediaType);
+        Assert.Contains("default-src 'self'", string.Join(' ', page.Headers.GetValues("Content-Security-Policy")), StringComparison.Ordinal);
+        string html = await page.Content.ReadAsStringAsync();
+        string[] named = [.. html.Split('"').Where(part => part.StartsWith('/') && part.Contains('.', StringComparison.Ordinal))];
+        Assert.True(named.Length >= 3, $"script, style and icon are named in the page: {string.Join(", ", named)}");
+        foreach (string path in named) Assert.Equal(HttpStatusCode.OK, (await http.GetAsync(new Uri(server.Address, path))).StatusCode);
+        Assert.Equal(HttpStatusCode.NotFound, (await http.GetAsync(new Uri(server.Address, "/no-such-file"))).StatusCode);
+    }
+
+    [Fact]
+    [Behaviour("workbench.server.terrain-as-physics-built-it", "issue 3, item 6: a wrong split shows; spec/05, 4.3")]
+    public async Task Terrain_is_heights_words_and_split_directions()
+    {
+        byte[] bytes = await http.GetByteArrayAsync(new Uri(server.Address, "/terrain/a9b4"));
+        Assert.Equal(554, bytes.Length);
+        Assert.Equal(0xA9B4, BinaryPrimitives.ReadUInt16LittleEndian(bytes));
+        Assert.Equal(StandInWorld.Ground, BinaryPrimitives.ReadSingleLittleEndian(bytes.AsSpan(4 + (80 * 4))));
+        Assert.Equal(4, BinaryPrimitives.ReadUInt16LittleEndian(bytes.AsSpan(328 + (80 * 2))));
+        Assert.Equal([1, 0, 0, 1], bytes[490..494]);
+        Assert.Equal(HttpStatusCode.NoContent, (await http.GetAsync(new Uri(server.Address, "/terrain/0000"))).StatusCode);
+        foreach (string wrong in new[] { "12345", "xyzw", "-001", "a9b" })
+            Assert.Equal(HttpStatusCode.NotFound, (await http.GetAsync(new Uri(server.Address, $"/terrain/{wrong}"))).StatusCode);
+    }
+
+    [Fact]
+    [Behaviour("workbench.server.occupied-port", "issue 3, Bad input: occupied port")]
+    public async Task An_occupied_port_makes_it_take_the_next_free_one()
+    {
+        using TcpListener taken = new(IPAddress.Loopback, 0);
+        taken.Start();
+        int port = ((IPEndPoint)taken.LocalEndpoint).Port;
+        await using WorkbenchServer next = await WorkbenchServer.StartAsync(new StandInWorld(), new WorkbenchOptions { Port = port });
+        Assert.InRange(next.Address.Port, port + 1, port + 99);
+        Assert.Equal(HttpStatusCode.OK, (await http.GetAsync(next.Address)).StatusCode);
+    }
+
+    [Theory]
+    [Behaviour("workbench.server.refuses-other-sites", "issue 3, item 6: input from a page is untrusted")]
+    [InlineData("http://evil.example")]
+    [InlineData("http://127.0.0.1:1")]
+    [InlineData("null")]
+    public async Task A_socket_from_another_site_is_refused(string origin)
+    {
+        await Assert.ThrowsAsync<WebSocketException>(() => RawPage.OpenAsync(server, origin));
+        using HttpRequestMessage rebound = new(HttpMethod.Get, new Uri(server.Address, "/places.json")) { Headers = { Host = "evil.example" } };
+        Assert.Equal(HttpStatusCode.Forbidden, (await http.SendAsync(rebound)).StatusCode);
+    }
+
+    [Fact]
+    [Behaviour("workbench.player.keys-move-it", "issue 3, item 6")]
+    public async Task Keys_move_the_players_pose_and_the_pose_names_the_input_it_took()
+    {
+        await using RawPage page = await RawPage.OpenAsync(server);
+        byte[] still = await page.ReceiveAsync(FrameKind.Pose);
+        Assert.Equal(ServerFrames.PoseLength, still.Length);
+        Assert.Equal(0, RawPage.SpeedOf(still));
+        await page.SendKeysAsync(PlayerKeys.Forward, 41);
+        byte[] moving = await page.ReceiveAsync(FrameKind.Pose, pose => RawPage.SequenceOf(pose) == 41);
+        Assert.Equal(10.6f, RawPage.SpeedOf(moving), 3);
+        await page.SendAsync(0x03, 1, 0);
+        await page.ReceiveAsync(FrameKind.Pose, pose => RawPage.CellOf(pose) == 0xAAB40025 && pose[1] == 1);
+    }
+
+    [Fact]
+    [Behaviour("workbench.input.malformed-counted-and-dropped", "issue 3, item 6: malformed frames are counted and dropped")]
+    public async Task Malformed_frames_are_counted_and_dropped_and_the_page_plays_on()
+    {
+        await using RawPage page = await RawPage.OpenAsync(server);
+        await page.SendAsync();
+        await page.SendAsync(0xFF);
+        await page.SendAsync(0x01, 1);
+        await page.SendAsync(0x02, 0xFF, 0xFF, 0, 0, 0, 0, 0, 0);
+        await page.SendAsync(0x03, 0xFF, 0xFF);
+        await page.SendAsync(new byte[100_000]);
+        await page.SendAsync([0x01, 1, 0, 0, 0, 0], WebSocketMessageType.Text);
+        await page.SendKeysAsync(PlayerKeys.Back, 9);
+        await page.ReceiveAsync(FrameKind.Pose, pose => RawPage.SequenceOf(pose) == 9 && RawPage.SpeedOf(pose) > 1);
+        using JsonDocument stats = JsonDocument.Parse(await http.GetStringAsync(new Uri(server.Address, "/stats.json")));
+        Assert.Equal(7, stats.RootElement.GetProperty("malformed").GetInt64());
+        Assert.Equal(8, stats.RootElement.GetProperty("received").GetInt64());
+    }
+
+    [Fact]
+    [Behaviour("workbench.input.flood-keeps-the-newest", "issue 3, item 6: input from a page is untrusted")]
+    public async Task A_flood_of_frames_neither_stops_the_world_nor_loses_the_last_key()
+    {
+        await using RawPage flood = await RawPage.OpenAsync(server);
+        await using RawPage calm = await RawPage.OpenAsync(server);
+        for (uint i = 1; i <= 20_000; i++) await flood.SendKeysAsync((PlayerKeys)(i & 0x3F), i);
+        await flood.SendKeysAsync(PlayerKeys.Forward, 20_001);
+        await flood.ReceiveAsync(FrameKind.Pose, pose => RawPage.SequenceOf(pose) == 20_001 && RawPage.SpeedOf(pose) > 1);
+        await calm.SendKeysAsync(PlayerKeys.Forward, 1);
+        await calm.ReceiveAsync(FrameKind.Pose, pose => RawPage.SequenceOf(pose) == 1);
+        Assert.Equal(0, server.Counters.Malformed);
+    }
+
+    [Fact]
+    [Behaviour("workbench.tabs.share-one-world", "issue 3, item 6: several tabs may be open")]
+    public async Task Each_tab_has_its_own_player_and_sees_the_others()
+    {
+        await using RawPage one = await RawPage.OpenAsync(server);
+        await using RawPage two = await RawPage.OpenAsync(server);
+        Assert.NotEqual(one.Id, two.Id);
+        await two.SendKeysAsync(PlayerKeys.Forward, 1);
+        byte[] seen = await one.ReceiveAsync(FrameKind.Others, others => others.Length > ServerFrames.OthersHeaderLength && VelocityNorth(others) > 1);
+        Assert.Equal(ServerFrames.OthersHeaderLength + ServerFrames.OtherLength, seen.Length);
+        Assert.Equal(two.Id, BinaryPrimitives.ReadUInt32LittleEndian(seen.AsSpan(ServerFrames.OthersHeaderLength)));
+        Assert.Equal(0, RawPage.SpeedOf(await one.ReceiveAsync(FrameKind.Pose)));
+    }
+
+    [Theory]
+    [Behaviour("workbench.tabs.closed-leaves-nothing", "issue 3, item 6: a closed tab leaves nothing behind")]
+    [InlineData(true)]
+    [InlineData(false)]
+    public async Task A_closed_tab_leaves_no_player_and_the_others_are_told(bool politely)
+    {
+        await using RawPage stays = await RawPage.OpenAsync(server);
+        await using RawPage goes = await RawPage.OpenAsync(server);
+        await stays.ReceiveAsync(FrameKind.Others, others => others.Length > ServerFrames.OthersHeaderLength);
+        if (politely) await goes.CloseAsync();
+        else goes.Abort();
+        await stays.ReceiveAsync(FrameKind.Others, others => others.Length == ServerFrames.OthersHeaderLength);
+        Assert.Equal(1, world.PlayerCount);
+        Assert.Equal(1, server.Counters.Players);
+    }
+
+    [Fact]
+    [Behaviour("workbench.tabs.limited", "issue 3, item 6: input from a page is untrusted")]
+    public async Task More_tabs_than_seats_are_refused_until_one_is_free()
+    {
+        RawPage[] pages = await Task.WhenAll(Enumerable.Range(0, 4).Select(_ => RawPage.OpenAsync(server)));
+        await Assert.ThrowsAsync<WebSocketException>(() => RawPage.OpenAsync(server));
+        await pages[0].CloseAsync();
+        await Eventually.Holds(() => server.Counters.Players == 3, "the closed tab's seat is free");
+        await using RawPage late = await RawPage.OpenAsync(server);
+        foreach (RawPage page in pages) await page.DisposeAsync();
+    }
+
+    [Fact]
+    [Behaviour("workbench.server.stops-cleanly", "issue 3, item 1")]
+    public async Task Stopping_closes_every_page_and_the_world()
+    {
+        await using RawPage page = await RawPage.OpenAsync(server);
+        await server.DisposeAsync();
+        try
+        {
+            while ((await page.ReceiveAsync()).Length > 0)
+            {
+            }
+        }
+        catch (WebSocketException)
+        {
+            // The connection may go before the goodbye is read.
+        }
+
+        Assert.NotEqual(WebSocketState.Open, page.State);
+        Assert.True(world.Disposed);
+        await Assert.ThrowsAsync<HttpRequestException>(() => http.GetAsync(server.Address));
+    }
+
+    private static float VelocityNorth(byte[] others) =>
+        BinaryPrimitives.ReadSingleLittleEndian(others.AsSpan(ServerFrames.OthersHeaderLength + 36));
+}

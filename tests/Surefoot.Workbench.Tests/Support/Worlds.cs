@@ -1,0 +1,6 @@
+namespace Surefoot.Workbench.Tests.Support;
+
+internal static class Worlds
+{
+    public static Task<WorkbenchServer> StartAsync() => WorkbenchServer.StartAsync(new StandInWorld(), new WorkbenchOptions { Port = 0 });
+}
