@@ -1,2 +1,0 @@
-namespace Surefoot.Dats;
-internal static class Marker;
