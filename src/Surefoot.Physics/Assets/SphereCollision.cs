@@ -119,7 +119,7 @@ internal static class SphereCollision
         if (Math.Abs(step) < RetailMath.Epsilon) return TransitionState.Collided;
 
         float stepStored = (float)step, reach = (float)((double)radiusSum + RetailMath.Epsilon);
-        double squared = (((double)radiusSum + RetailMath.Epsilon) * reach) -
+        double squared = ((double)reach * reach) -
                          ((double)(float)((double)offset.X * offset.X) + (float)((double)offset.Y * offset.Y));
         double t = (Math.Sqrt(squared) - offset.Z) / stepStored, left = (1 - t) * path.WalkInterp;
         // A ball that only the head touches may give no root; NaN is refused here.
