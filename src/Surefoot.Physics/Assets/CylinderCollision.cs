@@ -193,7 +193,7 @@ internal static class CylinderCollision
         }
         else if (definite)
         {
-            double squared = (double)clip.Reach * clip.Reach;
+            double squared = (float)((double)clip.Reach * clip.Reach);
             if (!(clip.Discriminant(squared) >= 0 && clip.FlatSquared >= RetailMath.Epsilon)) return TransitionState.Collided;
             t = clip.TimeOfSide(squared);
             way = RetailMath.Scale(clip.Movement, (float)t);

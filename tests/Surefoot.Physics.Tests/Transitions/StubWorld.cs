@@ -92,6 +92,9 @@ internal sealed class StubWorld : ICellWorld
 
         internal Func<Transition, bool>? Blocks { get; set; }
 
+        /// <summary>Asked after the ground; its answer is the cell's.</summary>
+        internal Func<Transition, TransitionState>? Obstacle { get; set; }
+
         internal Plane? Ground(Vector3 lowPoint) => ground(lowPoint);
 
         internal override bool PointInCell(in Vector3 point) => true;
@@ -105,6 +108,7 @@ internal sealed class StubWorld : ICellWorld
                 if (state != TransitionState.OK) return state;
             }
 
+            if (Obstacle is { } obstacle) return obstacle(t);
             if (Wall is not { } wall) return TransitionState.OK;
             Sphere foot = t.Path.GlobalSpheres[0];
             bool hit = wall.Reaches(foot.Center) && RetailMath.Dot(wall.Normal, foot.Center) + wall.D < foot.Radius - RetailMath.Epsilon;
