@@ -193,9 +193,8 @@ internal static class CylinderCollision
         }
         else if (definite)
         {
-            double squared = (float)((double)clip.Reach * clip.Reach);
-            if (!(clip.Discriminant(squared) >= 0 && clip.FlatSquared >= RetailMath.Epsilon)) return TransitionState.Collided;
-            t = clip.TimeOfSide(squared);
+            if (!(clip.Discriminant >= 0 && clip.FlatSquared >= RetailMath.Epsilon)) return TransitionState.Collided;
+            t = clip.TimeOfSide;
             way = RetailMath.Scale(clip.Movement, (float)t);
             normal = clip.SideNormal(curr, way, cylinder.LowPoint);
         }
@@ -205,15 +204,14 @@ internal static class CylinderCollision
             t = clip.TimeOfEnd(moving.Radius, cylinder.Height);
             normal = new Vector3(0, 0, clip.Movement.Z > 0 ? -1 : 1);
             way = RetailMath.Scale(clip.Movement, t);
-            float squared = (float)((double)clip.Reach * clip.Reach);
             double x = (double)way.X + clip.Offset.X, y = (double)way.Y + clip.Offset.Y;
-            if ((x * x) + (y * y) >= squared)
+            if ((x * x) + (y * y) >= clip.ReachSquared)
             {
                 // The end is passed by: the side is met, or with no root the end's time serves with the side's normal.
                 if (clip.FlatSquared < RetailMath.Epsilon) return TransitionState.Collided;
-                if (clip.Discriminant(squared) >= 0 && clip.FlatSquared > RetailMath.Epsilon)
+                if (clip.Discriminant >= 0 && clip.FlatSquared > RetailMath.Epsilon)
                 {
-                    t = clip.TimeOfSide(squared);
+                    t = clip.TimeOfSide;
                     way = RetailMath.Scale(clip.Movement, (float)t);
                 }
 
@@ -236,20 +234,29 @@ internal static class CylinderCollision
         /// <summary>Squared horizontal length of the movement.</summary>
         public double FlatSquared => ((double)Movement.X * Movement.X) + ((double)Movement.Y * Movement.Y);
 
-        private double Approach => -(((double)Movement.X * Offset.X) + ((double)Movement.Y * Offset.Y));
+        /// <summary>Stored: the clips of specification 04, 6.13 and 6.17, come out to the last bit only so.</summary>
+        public float ReachSquared => (float)((double)Reach * Reach);
 
-        public double Discriminant(double reachSquared)
+        public double Discriminant
         {
-            double outside = ((double)Offset.X * Offset.X) + ((double)Offset.Y * Offset.Y) - reachSquared;
-            return (Approach * Approach) - (outside * FlatSquared);
+            get
+            {
+                double outside = ((double)Offset.X * Offset.X) + ((double)Offset.Y * Offset.Y) - ReachSquared;
+                return (Approach * Approach) - (outside * FlatSquared);
+            }
         }
 
         /// <summary>Share of the movement at which the side is met.</summary>
-        public double TimeOfSide(double reachSquared)
+        public double TimeOfSide
         {
-            double root = Math.Sqrt(Discriminant(reachSquared));
-            return (Approach - root < 0 ? root + Approach : Approach - root) / FlatSquared;
+            get
+            {
+                double root = Math.Sqrt(Discriminant);
+                return (Approach - root < 0 ? root + Approach : Approach - root) / FlatSquared;
+            }
         }
+
+        private double Approach => -(((double)Movement.X * Offset.X) + ((double)Movement.Y * Offset.Y));
 
         /// <summary>Share of the movement at which the nearer end is met: the bottom when moving up, the top when moving down.</summary>
         public double TimeOfEnd(float radius, float height) => Movement.Z > 0
