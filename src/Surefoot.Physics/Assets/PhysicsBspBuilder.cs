@@ -58,10 +58,11 @@ internal sealed class PhysicsBspBuilder(PolygonSet polygons)
     /// </summary>
     private int MostPending(int root)
     {
-        int most = 0;
+        int most = 0, visited = 0;
         Stack<(int Reference, int Pending)> rest = new([(root, 0)]);
         while (rest.TryPop(out (int Reference, int Pending) item))
         {
+            if (++visited > (2 * nodes.Count) + 1) throw new FormatException("the physics tree is not a tree");
             most = Math.Max(most, item.Pending);
             if (most > PhysicsBsp.MaxPending)
                 throw new FormatException($"the physics tree branches more than {PhysicsBsp.MaxPending} times on one way down");

@@ -1,15 +1,53 @@
+using System.Numerics;
+using Surefoot.Dats.Records;
+using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
+using Surefoot.Physics.Transitions;
+using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Assets;
 
-/// <summary>What movement needs of a setup: spheres, heights and steps, in metres at scale 1.</summary>
+/// <summary>One part of a setup.</summary>
+/// <param name="Mesh">Its mesh.</param>
+/// <param name="DefaultScale">Its scale in an object of scale 1, component by component.</param>
+public readonly record struct SetupPart(GfxObjAsset Mesh, Vector3 DefaultScale);
+
+/// <summary>What movement needs of a setup: parts, spheres, cylinders, heights and steps, in metres at scale 1. Immutable and shared.</summary>
+/// <remarks>Retail: CSetup; specification 06.</remarks>
 public sealed class SetupAsset
 {
-    /// <summary>Setup id.</summary>
+    private readonly SetupPart[] parts = [];
+    private readonly Sphere[] spheres = [];
+    private readonly CylSphere[] cylinders = [];
+    private readonly Dictionary<uint, Frame[]> placements = [];
+
+    /// <summary>Id of the record: 0x02…, or 0x01… for a setup made up for one mesh.</summary>
     public uint Id { get; init; }
 
-    /// <summary>Collision spheres; the first is the foot.</summary>
-    public Sphere[] Spheres { get; init; } = [];
+    /// <summary>The parts.</summary>
+    public ReadOnlySpan<SetupPart> Parts
+    {
+        get => parts;
+        init
+        {
+            parts = value.ToArray();
+            HasPhysicsBsp = Array.Exists(parts, p => p.Mesh.Physics is not null);
+        }
+    }
+
+    /// <summary>Collision spheres in the object's frame; the first is the foot.</summary>
+    public ReadOnlySpan<Sphere> Spheres
+    {
+        get => spheres;
+        init => spheres = value.ToArray();
+    }
+
+    /// <summary>Collision cylinders in the object's frame.</summary>
+    public ReadOnlySpan<CylSphere> Cylinders
+    {
+        get => cylinders;
+        init => cylinders = value.ToArray();
+    }
 
     /// <summary>Height.</summary>
     public float Height { get; init; }
@@ -23,8 +61,133 @@ public sealed class SetupAsset
     /// <summary>Deepest step descended.</summary>
     public float StepDownHeight { get; init; }
 
+    /// <summary>Sphere around everything, by which things far away are ordered and moving objects without cylinders find their cells.</summary>
+    public Sphere SortingSphere { get; init; }
+
     /// <summary>The body may turn freely in one sweep.</summary>
     public bool AllowFreeHeading { get; init; }
 
-    internal Transitions.TransitionState FindCollisions(Transitions.Transition transition, Bodies.WorldObject target, bool creature) => Transitions.TransitionState.OK;
+    /// <summary>Motion table an object of this setup starts with; 0 for none.</summary>
+    public uint DefaultMotionTableId { get; init; }
+
+    /// <summary>Some part has a collision tree: then the trees stop bodies, and neither cylinders nor spheres do.</summary>
+    /// <remarks>Retail: CPartArray::CacheHasPhysicsBSP. Never taken from the record's flag.</remarks>
+    public bool HasPhysicsBsp { get; private init; }
+
+    /// <summary>
+    /// Frames of the parts in the object's frame when it is put down in some way; the default way where the asked one is missing, and no frames where that is
+    /// missing too.
+    /// </summary>
+    /// <param name="placement">0 by default, 0x65 for things that lie about.</param>
+    public ReadOnlySpan<Frame> Placement(uint placement) =>
+        placements.TryGetValue(placement, out Frame[]? frames) || placements.TryGetValue(0, out frames) ? frames : default;
+
+    /// <summary>The setup that a mesh on its own stands for.</summary>
+    /// <remarks>Retail: CSetup::makeSimpleSetup.</remarks>
+    public static SetupAsset FromGfxObj(GfxObjAsset mesh)
+    {
+        ArgumentNullException.ThrowIfNull(mesh);
+        return new SetupAsset
+        {
+            Id = mesh.Id,
+            Parts = [new SetupPart(mesh, Vector3.One)],
+            SortingSphere = mesh.AnySphere ?? default,
+        }.With(0, [Frame.Identity]);
+    }
+
+    /// <summary>Flattens a record.</summary>
+    /// <param name="record">The record.</param>
+    /// <param name="meshes">Where the parts' meshes come from.</param>
+    /// <exception cref="Dats.DatFormatException">The record has numbers that are none.</exception>
+    internal static SetupAsset Build(Setup record, Func<uint, GfxObjAsset> meshes)
+    {
+        RecordFlattener check = new(record.Id);
+        SetupPart[] parts = new SetupPart[record.PartIds.Length];
+        for (int i = 0; i < parts.Length; i++)
+        {
+            Vector3 scale = record.DefaultScales.IsDefaultOrEmpty ? Vector3.One : check.Finite(record.DefaultScales[i], "a default scale");
+            parts[i] = new SetupPart(meshes(record.PartIds[i]), scale);
+        }
+
+        SetupAsset asset = new()
+        {
+            Id = record.Id,
+            Parts = parts,
+            Spheres = [.. record.Spheres.Select(s => check.Sphere(s, "a sphere"))],
+            Cylinders = [.. record.CylSpheres.Select(c => check.Cylinder(c, "a cylinder"))],
+            Height = check.Finite(record.Height, "the height"),
+            Radius = check.Finite(record.Radius, "the radius"),
+            StepUpHeight = check.Finite(record.StepUpHeight, "the step-up height"),
+            StepDownHeight = check.Finite(record.StepDownHeight, "the step-down height"),
+            SortingSphere = check.Sphere(record.SortingSphere, "the sorting sphere"),
+            AllowFreeHeading = record.Flags.HasFlag(SetupFlags.AllowFreeHeading),
+            DefaultMotionTableId = record.DefaultMotionTableId,
+        };
+        foreach (PlacementFrame placement in record.PlacementFrames)
+            asset.With(placement.Placement, [.. placement.Frame.Parts.Select(f => check.Frame(f, $"placement {placement.Placement}"))]);
+        return asset;
+    }
+
+    /// <summary>Where a part is in the world.</summary>
+    /// <param name="target">Where the object is.</param>
+    /// <param name="pose">Frame of the part in the object's frame at scale 1.</param>
+    /// <param name="scale">The object's scale.</param>
+    /// <remarks>Retail: CPartArray::UpdateParts, Frame::combine.</remarks>
+    public static Position PlacePart(in Position target, in Frame pose, float scale)
+    {
+        Frame scaled = pose;
+        scaled.Origin = RetailMath.Scale(pose.Origin, scale);
+        return new Position(target.CellId, Frame.Combine(target.Frame, scaled));
+    }
+
+    /// <summary>
+    /// Tests the check position against an object of this setup: its parts' trees if any part has one, else its cylinders, else its spheres; the first answer
+    /// other than OK counts.
+    /// </summary>
+    /// <param name="transition">The transition.</param>
+    /// <param name="target">The object.</param>
+    /// <param name="creature">It is a creature or a missile: its spheres are not a floor.</param>
+    /// <remarks>Retail: the shapes of CPhysicsObj::FindObjCollisions @0x0050F050, CPartArray::FindObjCollisions.</remarks>
+    internal TransitionState FindCollisions(Transition transition, WorldObject target, bool creature)
+    {
+        Position position = target.Position;
+        float scale = target.Scale;
+        if (HasPhysicsBsp)
+        {
+            ReadOnlySpan<Frame> pose = target.PartPose;
+            int count = Math.Min(parts.Length, pose.Length);
+            for (int i = 0; i < count; i++)
+            {
+                GfxObjAsset mesh = parts[i].Mesh;
+                if (mesh.Physics is null) continue;
+                float partScale = (float)((double)parts[i].DefaultScale.Z * scale);
+                TransitionState state = mesh.FindCollisions(transition, PlacePart(position, pose[i], scale), partScale);
+                if (state != TransitionState.OK) return state;
+            }
+
+            return TransitionState.OK;
+        }
+
+        foreach (ref readonly CylSphere cylinder in cylinders.AsSpan())
+        {
+            TransitionState state = CylinderCollision.IntersectsSphere(transition, position, scale, cylinder);
+            if (state != TransitionState.OK) return state;
+        }
+
+        if (cylinders.Length > 0) return TransitionState.OK;
+        foreach (ref readonly Sphere sphere in spheres.AsSpan())
+        {
+            TransitionState state = SphereCollision.IntersectsSphere(transition, position, scale, sphere, creature);
+            if (state != TransitionState.OK) return state;
+        }
+
+        return TransitionState.OK;
+    }
+
+    /// <summary>Adds a way of putting the object down, while the asset is being built; the first of two with one number counts.</summary>
+    internal SetupAsset With(uint placement, Frame[] frames)
+    {
+        placements.TryAdd(placement, frames);
+        return this;
+    }
 }

@@ -1,5 +1,6 @@
 using System.Numerics;
 using Surefoot.Physics.Assets;
+using Surefoot.Physics.Geometry;
 using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Bodies;
@@ -62,6 +63,9 @@ public partial class WorldObject
 
     /// <summary>Radius, metres; 0 without parts.</summary>
     public float Radius => Setup is null ? 0f : (float)((double)Setup.Radius * Scale);
+
+    /// <summary>Frames of the parts in the object's frame: those of the default placement, unless something animates them.</summary>
+    internal virtual ReadOnlySpan<Frame> PartPose => Setup is null ? default : Setup.Placement(0);
 
     /// <summary>Where it is, for those who move it.</summary>
     private protected Position PositionField = Position.Nowhere;

@@ -1,0 +1,102 @@
+using System.Numerics;
+using Surefoot.Dats.Records;
+using Surefoot.Physics.Transitions;
+using Surefoot.Physics.World;
+
+namespace Surefoot.Physics.Assets;
+
+/// <summary>The shape of rooms: what stops a body, what the room contains, and where its portals are. Immutable and shared.</summary>
+/// <remarks>Retail: the collision side of CCellStruct.</remarks>
+public sealed class CellStructAsset
+{
+    private readonly ushort[] portalKeys;
+
+    private CellStructAsset(PhysicsBsp physics, CellBsp cell, PolygonSet portals, ushort[] portalKeys)
+    {
+        Physics = physics;
+        Cell = cell;
+        Portals = portals;
+        this.portalKeys = portalKeys;
+    }
+
+    /// <summary>The collision tree.</summary>
+    public PhysicsBsp Physics { get; }
+
+    /// <summary>The containment tree.</summary>
+    public CellBsp Cell { get; }
+
+    /// <summary>The portal polygons, in the order of the structure's portal list.</summary>
+    public PolygonSet Portals { get; }
+
+    /// <summary>
+    /// Position in <see cref="Portals"/> of the polygon that a cell portal names. The name is a key, the only one in these files that is not a position; the
+    /// first portal with it counts.
+    /// </summary>
+    /// <remarks>Retail: CCellStruct::get_portal @0x005338B0.</remarks>
+    /// <returns>False when there is none: the cell that names it cannot be used.</returns>
+    public bool TryFindPortal(ushort polygonKey, out int portal)
+    {
+        portal = Array.IndexOf(portalKeys, polygonKey);
+        return portal >= 0;
+    }
+
+    /// <summary>Flattens one structure of an environment.</summary>
+    /// <param name="environmentId">Id of the environment's record, for errors.</param>
+    /// <param name="record">The structure.</param>
+    /// <exception cref="Dats.DatFormatException">The record contradicts itself.</exception>
+    internal static CellStructAsset Build(uint environmentId, CellStruct record)
+    {
+        RecordFlattener flattener = new(environmentId);
+        Vector3[] vertices = flattener.Vertices(record.Vertices);
+        DatPolygon[] portals = new DatPolygon[record.PortalPolygons.Length];
+        for (int i = 0; i < portals.Length; i++)
+        {
+            int index = record.PortalPolygons[i];
+            if (index >= record.Polygons.Length)
+                throw new Dats.DatFormatException("", environmentId, 0, $"portal {i} names polygon {index} of {record.Polygons.Length}");
+            portals[i] = record.Polygons[index];
+        }
+
+        return new CellStructAsset(
+            flattener.PhysicsTree(record.PhysicsTree, flattener.Polygons(record.PhysicsPolygons.AsSpan(), vertices, "physics")),
+            RecordFlattener.CellTree(record.CellTree),
+            flattener.Polygons(portals, vertices, "portal"),
+            [.. portals.Select(p => p.Key)]);
+    }
+
+    /// <summary>Tests the check position against a room of this shape, or pushes a body out of its walls when it is put there.</summary>
+    /// <param name="transition">The transition.</param>
+    /// <param name="cell">Where the room is.</param>
+    /// <remarks>Retail: the tree's part of CEnvCell::find_env_collisions @0x0052C130.</remarks>
+    internal TransitionState FindCollisions(Transition transition, in Position cell)
+    {
+        transition.Path.CacheLocalSpaceSpheres(cell, 1f);
+        return transition.Path.InsertType == InsertType.InitialPlacement ? Physics.PlacementInsert(transition) : Physics.FindCollisions(transition, 1f);
+    }
+}
+
+/// <summary>The shapes of rooms in one environment record. Immutable and shared.</summary>
+/// <remarks>Retail: CEnvironment.</remarks>
+public sealed class EnvironmentAsset
+{
+    private readonly CellStructAsset[] structures;
+
+    private EnvironmentAsset(uint id, CellStructAsset[] structures)
+    {
+        Id = id;
+        this.structures = structures;
+    }
+
+    /// <summary>Id of the record, 0x0D…</summary>
+    public uint Id { get; }
+
+    /// <summary>The structures; a cell names one by its position.</summary>
+    public ReadOnlySpan<CellStructAsset> Structures => structures;
+
+    /// <summary>The structure at a position, or null.</summary>
+    public CellStructAsset? this[int index] => (uint)index < (uint)structures.Length ? structures[index] : null;
+
+    /// <summary>Flattens a record.</summary>
+    internal static EnvironmentAsset Build(CellEnvironment record) =>
+        new(record.Id, [.. record.Cells.Select(c => CellStructAsset.Build(record.Id, c))]);
+}

@@ -1,0 +1,72 @@
+using System.Numerics;
+using Surefoot.Dats.Records;
+using Surefoot.Physics.Geometry;
+using Surefoot.Physics.Transitions;
+using Surefoot.Physics.World;
+
+namespace Surefoot.Physics.Assets;
+
+/// <summary>What movement needs of a mesh, in its own frame and at scale 1. Immutable and shared.</summary>
+/// <remarks>Retail: the collision side of CGfxObj.</remarks>
+public sealed class GfxObjAsset
+{
+    /// <summary>Id of the record, 0x01…</summary>
+    public uint Id { get; init; }
+
+    /// <summary>The collision tree; null for a mesh that stops nothing.</summary>
+    public PhysicsBsp? Physics { get; init; }
+
+    /// <summary>Box of all vertices, drawn ones too, without any scale; empty without vertices.</summary>
+    /// <remarks>Retail: CGfxObj's gfx_bound_box, CPhysicsPart::GetBoundingBox @0x0050D600.</remarks>
+    public BoundingBox BoundingBox { get; init; } = BoundingBox.Empty;
+
+    /// <summary>Bounding sphere of the collision tree; null without one.</summary>
+    public Sphere? PhysicsSphere => Physics?.Bounds;
+
+    /// <summary>Bounding sphere of the drawing tree; null without one.</summary>
+    public Sphere? DrawingSphere { get; init; }
+
+    /// <summary>The physics sphere, or the drawing sphere of a mesh without one, or none.</summary>
+    public Sphere? AnySphere => PhysicsSphere ?? DrawingSphere;
+
+    /// <summary>The mesh is a picture that turns to the viewer: its place in cells follows its sphere instead of its box.</summary>
+    /// <remarks>Retail: CPhysicsPart::Always2D @0x0050D8A0: the first level of its degrade record has a mode other than 1.</remarks>
+    public bool Always2D { get; init; }
+
+    /// <summary>Flattens a record.</summary>
+    /// <exception cref="Dats.DatFormatException">The record contradicts itself.</exception>
+    internal static GfxObjAsset Build(GfxObj record, bool always2D)
+    {
+        RecordFlattener flattener = new(record.Id);
+        Vector3[] vertices = flattener.Vertices(record.Vertices);
+        return new GfxObjAsset
+        {
+            Id = record.Id,
+            Physics = record.PhysicsTree is { } tree
+                ? flattener.PhysicsTree(tree, flattener.Polygons(record.PhysicsPolygons.AsSpan(), vertices, "physics"))
+                : null,
+            BoundingBox = BoundingBox.Of(vertices),
+            DrawingSphere = record.DrawingTree is { } drawing ? new Sphere(drawing.Nodes[0].Sphere.Centre, drawing.Nodes[0].Sphere.Radius) : null,
+            Always2D = always2D,
+        };
+    }
+
+    /// <summary>Tests the check position against this mesh as a part of an object or building.</summary>
+    /// <param name="transition">The transition.</param>
+    /// <param name="part">Where the part is.</param>
+    /// <param name="scale">The part's scale along z, the only one that counts.</param>
+    /// <remarks>Retail: CPhysicsPart::find_obj_collisions @0x0050D8D0, CGfxObj::find_obj_collisions @0x00534700.</remarks>
+    internal TransitionState FindCollisions(Transition transition, in Position part, float scale)
+    {
+        if (Physics is not { } tree) return TransitionState.OK;
+        SpherePath path = transition.Path;
+        path.CacheLocalSpaceSpheres(part, scale);
+        for (int i = 0; i < path.SphereCount; i++)
+        {
+            if (!CollisionPrimitives.SpheresIntersect(tree.Bounds, path.LocalSpaceSpheres[i])) continue;
+            return path.InsertType == InsertType.InitialPlacement ? tree.PlacementInsert(transition) : tree.FindCollisions(transition, scale);
+        }
+
+        return TransitionState.OK;
+    }
+}
