@@ -7,4 +7,5 @@ namespace Surefoot.Workbench;
 /// <param name="CellId">Cell, 0xXXYYCCCC.</param>
 /// <param name="Position">Metres in the cell's landblock: x east, y north, z up.</param>
 /// <param name="Yaw">Facing, radians about z, counter-clockwise from north.</param>
-public sealed record WorkbenchPlace(string Name, uint CellId, Vector3 Position, float Yaw);
+/// <param name="Hint">What there is to try there; null for nothing to say.</param>
+public sealed record WorkbenchPlace(string Name, uint CellId, Vector3 Position, float Yaw, string? Hint = null);

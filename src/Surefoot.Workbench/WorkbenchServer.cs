@@ -145,7 +145,7 @@ public sealed class WorkbenchServer : IAsyncDisposable
         world = world.Name,
         places = world.Places.Select(place => new
         {
-            name = place.Name, cell = place.CellId, x = place.Position.X, y = place.Position.Y, z = place.Position.Z, yaw = place.Yaw,
+            name = place.Name, cell = place.CellId, x = place.Position.X, y = place.Position.Y, z = place.Position.Z, yaw = place.Yaw, hint = place.Hint,
         }),
     };
 

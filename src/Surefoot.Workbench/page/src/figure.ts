@@ -1,6 +1,7 @@
 // A jointed humanoid, 1.83 m tall, feet at its origin, facing north (+y). It is moved by what the player does; it decides nothing.
 
 import * as THREE from "three";
+import { disposeNameTag, makeNameTag } from "./nameTag";
 import type { Drawn } from "./timeline";
 
 const hipHeight = 0.93;
@@ -31,7 +32,13 @@ export class Figure {
   private fallSpeed = 0;
   private wasAirborne = false;
 
-  constructor(player: number) {
+  private readonly tag: THREE.Sprite | null;
+
+  /**
+   * @param player chooses the colours
+   * @param name shown over the head; null for nothing
+   */
+  constructor(player: number, name: string | null) {
     const hue = (0.58 + player * 0.381966) % 1;
     const cloth = matte(new THREE.Color().setHSL(hue, 0.5, 0.36));
     const trim = matte(new THREE.Color().setHSL(hue, 0.45, 0.22));
@@ -67,6 +74,8 @@ export class Figure {
     this.pelvis.position.z = hipHeight;
     this.group.add(this.pelvis);
     this.group.traverse((one) => (one.castShadow = true));
+    this.tag = name === null ? null : makeNameTag(name);
+    if (this.tag) this.group.add(this.tag);
   }
 
   /** Poses the figure for a moment; `origin` is what drawn positions are relative to. */
@@ -100,6 +109,7 @@ export class Figure {
   }
 
   dispose(): void {
+    if (this.tag) disposeNameTag(this.tag);
     this.group.traverse((one) => {
       if (!(one instanceof THREE.Mesh)) return;
       one.geometry.dispose();

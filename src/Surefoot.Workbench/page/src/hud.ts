@@ -11,6 +11,7 @@ export interface Place {
   y: number;
   z: number;
   yaw: number;
+  hint: string | null;
 }
 
 interface Asks {
@@ -43,6 +44,7 @@ export class Hud {
   private readonly jump = element<HTMLInputElement>("jump-skill");
   private readonly burden = element<HTMLInputElement>("burden");
   private capacity = 1;
+  private listed: readonly Place[] = [];
 
   constructor(private readonly asks: Asks, onTriangles: () => void) {
     for (const field of document.querySelectorAll<HTMLElement>("[data-field]")) this.fields.set(field.dataset.field ?? "", field);
@@ -52,7 +54,10 @@ export class Hud {
       slider.addEventListener("change", () => slider.blur());
     }
     this.places.addEventListener("change", () => {
-      this.asks.goto(Number(this.places.value));
+      const index = Number(this.places.value);
+      this.asks.goto(index);
+      const hint = this.listed[index]?.hint;
+      if (hint) this.toast(hint, "hint");
       this.places.selectedIndex = 0;
       this.places.blur();
     });
@@ -82,6 +87,7 @@ export class Hud {
 
   listPlaces(world: string, places: readonly Place[]): void {
     element("world-name").textContent = world;
+    this.listed = places;
     this.places.replaceChildren(new Option("a place…", "", true, true), ...places.map((place, index) => new Option(place.name, String(index))));
     this.places.options[0].disabled = true;
   }
@@ -136,7 +142,7 @@ export class Hud {
         if (event.value > 3) this.toast(`Landed at ${event.value.toFixed(1)} m/s`);
         break;
       case EventKind.JumpRefused:
-        this.toast(refusals[event.code] ?? `Refused (0x${event.code.toString(16)})`, true);
+        this.toast(refusals[event.code] ?? `Refused (0x${event.code.toString(16)})`, "refused");
         break;
       case EventKind.RunRateChanged:
         this.toast(`Run rate ${event.value.toFixed(3)}: ${(event.value * 4).toFixed(2)} m/s`);
@@ -176,10 +182,10 @@ export class Hud {
     if (good !== undefined) field.dataset.state = good ? "yes" : "no";
   }
 
-  private toast(text: string, refused = false): void {
+  private toast(text: string, look = ""): void {
     const line = document.createElement("p");
     line.textContent = text;
-    line.classList.toggle("refused", refused);
+    line.className = look;
     line.addEventListener("animationend", () => line.remove());
     this.toasts.append(line);
     while (this.toasts.childElementCount > 3) this.toasts.firstElementChild!.remove();

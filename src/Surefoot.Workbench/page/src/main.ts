@@ -81,7 +81,7 @@ function enter(message: Welcome): void {
   clock = new ServerClock(message.minQuantum);
   for (const id of [...others.keys()]) leave(id);
   if (me) remove(me);
-  me = add(message.player);
+  me = add(message.player, null);
   drawnTeleports = -1;
   hud.welcome(message);
 }
@@ -92,15 +92,15 @@ function showOthers(message: Others): void {
   for (const other of message.players) {
     let player = others.get(other.player);
     if (!player) {
-      player = add(other.player);
+      player = add(other.player, `Player ${other.player}`);
       others.set(other.player, player);
     }
     player.timeline.push(other);
   }
 }
 
-function add(id: number): Player {
-  const figure = new Figure(id);
+function add(id: number, name: string | null): Player {
+  const figure = new Figure(id, name);
   figure.group.visible = false;
   stage.scene.add(figure.group);
   return { timeline: new PoseTimeline(), figure, drawn: null };

@@ -99,6 +99,7 @@ const fragmentHead = /* glsl */ `
 
     float near = 1.0 - smoothstep(20.0, 90.0, length(vViewPosition));
     color *= 0.78 + 0.26 * broad.x + 0.18 * fine.x + 0.22 * near * (fine.y - 0.5);
+    if (near > 0.5) color *= 1.0 + 0.5 * (near - 0.5) * (texture2D(uNoise, vGround.xy / 2.6).w - 0.5);
 
     float steep = smoothstep(0.80, 0.64, vSmooth.z + 0.08 * (fine.z - 0.5));
     if (steep > 0.0) {
@@ -134,7 +135,8 @@ const fragmentLight = /* glsl */ `
     vec2 p = vGround.xy / 26.0;
     float a = texture2D(uNoise, p + uTime * vec2(0.016, 0.009)).x;
     float b = texture2D(uNoise, p * 1.7 - uTime * vec2(0.012, 0.017)).y;
-    vec3 ripple = normalize(vec3((a - 0.5) * 0.35, (b - 0.5) * 0.35, 1.0));
+    float calm = 1.0 - 0.8 * smoothstep(30.0, 220.0, length(vViewPosition));
+    vec3 ripple = normalize(vec3((a - 0.5) * 0.3 * calm, (b - 0.5) * 0.3 * calm, 1.0));
     float fresnel = 0.04 + 0.96 * pow(1.0 - max(dot(ripple, toEye), 0.0), 5.0);
     vec3 deep = outgoingLight * (0.72 + 0.4 * (a - 0.5));
     vec3 surface = mix(deep, uSkyColor, clamp(fresnel, 0.0, 0.85));

@@ -1,0 +1,153 @@
+using System.Numerics;
+using Surefoot.Client;
+using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Motion;
+using Surefoot.Physics.World;
+using Surefoot.Workbench.Wire;
+
+namespace Surefoot.Workbench.Simulation;
+
+/// <summary>A page's player in the physics: keys go to its controller, what the page shows is read off its body.</summary>
+internal sealed class SimulatedPlayer : IWorkbenchPlayer, IMovementSink
+{
+    /// <summary>Strength of every player; its capacity is what the burden slider is measured against.</summary>
+    public const int Strength = 100;
+
+    private const int MostEventsKept = 64;
+
+    private readonly Queue<PlayerEvent> events = [];
+    private LocalPlayer? player;
+    private MovementKeys keys;
+    private byte teleports;
+    private bool airborne;
+    private float fallSpeed;
+    private float runRate = 1f;
+
+    /// <inheritdoc/>
+    public PlayerPose Pose { get; private set; }
+
+    /// <summary>The player in the physics.</summary>
+    public LocalPlayer Player => player ?? throw new InvalidOperationException("The player has not entered the world.");
+
+    /// <summary>The numbers of a character with these settings.</summary>
+    public static CharacterStats StatsOf(PlayerSettings settings) =>
+        new(settings.RunSkill, settings.JumpSkill, Strength: Strength, Burden: settings.Burden);
+
+    /// <summary>Where a place is.</summary>
+    public static Position PositionOf(WorkbenchPlace place)
+    {
+        Position position = new(place.CellId, place.Position);
+        position.Frame.SetHeading(-place.Yaw * 180f / MathF.PI);
+        return position;
+    }
+
+    /// <summary>Takes over the player, once it is in the world.</summary>
+    public void Enter(LocalPlayer entered, double now)
+    {
+        player = entered;
+        Observe(now);
+    }
+
+    /// <inheritdoc/>
+    public void SetKeys(PlayerKeys held, double now)
+    {
+        MovementKeys before = keys;
+        keys = Translate(held);
+        Player.Update(keys, now);
+        bool jumpChanged = ((keys ^ before) & MovementKeys.Jump) != 0;
+        if (jumpChanged && Player.Controller.LastRefusal != MotionError.None && !Player.Controller.IsChargingJump)
+            Happen(new PlayerEvent(PlayerEventKind.JumpRefused, now, Code: (uint)Player.Controller.LastRefusal));
+    }
+
+    /// <inheritdoc/>
+    public void Configure(PlayerSettings settings, double now) => Player.Server.SetStats(StatsOf(settings), now);
+
+    /// <inheritdoc/>
+    public void Goto(WorkbenchPlace place, double now)
+    {
+        PlacementRequest request = new(PositionOf(place), PlacementFlags.Placement | PlacementFlags.Teleport | PlacementFlags.Slide);
+        if (Player.Body.SetPosition(request) != PlacementResult.OK) return;
+        Player.Body.TeleportHook();
+        Player.Controller.OnTeleported(now);
+        teleports++;
+        Observe(now);
+    }
+
+    /// <inheritdoc/>
+    public bool TryTakeEvent(out PlayerEvent happened) => events.TryDequeue(out happened);
+
+    /// <summary>What the server says arrives and the keys act; before the world's step.</summary>
+    public void BeforeStep(double now) => Player.Update(keys, now);
+
+    /// <summary>Reads the pose off the body; after the world's step.</summary>
+    public void Observe(double now)
+    {
+        PhysicsBody body = Player.Body;
+        MotionInterpreter motions = Player.Movement.Interpreter;
+        if (motions.RunRate != runRate)
+        {
+            runRate = motions.RunRate;
+            Happen(new PlayerEvent(PlayerEventKind.RunRateChanged, now, runRate));
+        }
+
+        if (airborne && body.HasContact) Happen(new PlayerEvent(PlayerEventKind.Landed, now, fallSpeed));
+        airborne = !body.HasContact;
+        fallSpeed = airborne ? -body.Velocity.Z : 0;
+
+        PoseFlags flags = PoseFlags.None;
+        if (body.HasContact) flags |= PoseFlags.Contact;
+        if (body.OnWalkable) flags |= PoseFlags.OnWalkable;
+        if (body.HasContact && body.Transient.HasFlag(TransientState.WaterContact)) flags |= PoseFlags.InWater;
+        if (Player.Controller.IsChargingJump) flags |= PoseFlags.Charging;
+        if (motions.StandingLongJump) flags |= PoseFlags.StandingLongJump;
+        if (!body.HasCell) flags |= PoseFlags.Nowhere;
+        InterpretedMotionState state = motions.Interpreted;
+        Position position = body.Position;
+        Pose = new PlayerPose(
+            body.IsActive ? body.SimulatedTime : now,
+            position.CellId,
+            position.Frame.Origin,
+            (float)(-position.Frame.Heading * Math.PI / 180.0),
+            body.IsActive ? body.AchievedVelocity : Vector3.Zero,
+            flags,
+            body.HasContact ? body.ContactPlane : default,
+            Player.Controller.JumpLevel(now),
+            body.LastQuantum,
+            runRate,
+            (uint)state.ForwardCommand,
+            state.ForwardSpeed,
+            state.SidestepCommand == MotionCommand.None ? 0 : state.SidestepSpeed,
+            state.TurnCommand == MotionCommand.None ? 0 : state.TurnSpeed,
+            teleports);
+    }
+
+    void IMovementSink.OnJump(in JumpEvent e) => Happen(new PlayerEvent(PlayerEventKind.Jumped, e.Time, e.Extent));
+
+    void IMovementSink.OnMoveToState(in MoveToStateEvent e)
+    {
+    }
+
+    void IMovementSink.OnAutonomousPosition(in AutonomousPositionEvent e)
+    {
+    }
+
+    private static MovementKeys Translate(PlayerKeys held)
+    {
+        MovementKeys keys = MovementKeys.None;
+        if (held.HasFlag(PlayerKeys.Forward)) keys |= MovementKeys.Forward;
+        if (held.HasFlag(PlayerKeys.Back)) keys |= MovementKeys.Back;
+        if (held.HasFlag(PlayerKeys.TurnLeft)) keys |= MovementKeys.TurnLeft;
+        if (held.HasFlag(PlayerKeys.TurnRight)) keys |= MovementKeys.TurnRight;
+        if (held.HasFlag(PlayerKeys.SidestepLeft)) keys |= MovementKeys.SidestepLeft;
+        if (held.HasFlag(PlayerKeys.SidestepRight)) keys |= MovementKeys.SidestepRight;
+        if (held.HasFlag(PlayerKeys.Walk)) keys |= MovementKeys.Walk;
+        if (held.HasFlag(PlayerKeys.Jump)) keys |= MovementKeys.Jump;
+        return keys;
+    }
+
+    private void Happen(in PlayerEvent happened)
+    {
+        events.Enqueue(happened);
+        if (events.Count > MostEventsKept) events.Dequeue();
+    }
+}
