@@ -20,6 +20,9 @@ export class Terrain {
   private readonly meshes = new Map<number, THREE.Mesh>();
   private readonly fetching = new Set<number>();
   private retryAt = 0;
+  private center = -1;
+  private wanted: number[] = [];
+  private missing: number[] = [];
   private originX = 0;
   private originY = 0;
 
@@ -42,23 +45,22 @@ export class Terrain {
 
   /** Fetches, builds and drops blocks for a player in this block. One block is built a call, so that no frame waits long. */
   update(block: number): void {
-    const wanted = around(block, drawRadius + 1);
-    for (const id of wanted) {
+    if (block !== this.center) this.moveTo(block);
+    if (this.missing.length === 0) return;
+    for (const id of this.wanted) {
       if (this.fetching.size >= fetchesAtOnce || performance.now() < this.retryAt) break;
       if (!this.blocks.has(id) && !this.fetching.has(id)) void this.fetch(id);
     }
-    this.drop(block);
-    for (const id of around(block, drawRadius)) {
-      if (this.meshes.has(id)) continue;
-      const terrain = this.blocks.get(id);
-      if (!terrain || terrain === "none" || !around(id, 1).every((near) => this.blocks.has(near))) continue;
-      const mesh = new THREE.Mesh(this.build(terrain), this.material);
-      mesh.receiveShadow = true;
-      this.place(mesh, id);
-      this.meshes.set(id, mesh);
-      this.group.add(mesh);
-      return;
-    }
+    this.missing = this.missing.filter((id) => this.blocks.get(id) !== "none");
+    const next = this.missing.find((id) => this.blocks.has(id) && around(id, 1).every((near) => this.blocks.has(near)));
+    const terrain = next === undefined ? undefined : this.blocks.get(next);
+    if (next === undefined || !terrain || terrain === "none") return;
+    const mesh = new THREE.Mesh(this.build(terrain), this.material);
+    mesh.receiveShadow = true;
+    this.place(mesh, next);
+    this.meshes.set(next, mesh);
+    this.group.add(mesh);
+    this.missing.splice(this.missing.indexOf(next), 1);
   }
 
   /** Ground height at global metres; null where no terrain has come. */
@@ -67,6 +69,13 @@ export class Terrain {
     const by = Math.floor(y / blockSide);
     const terrain = this.blocks.get((bx << 8) | by);
     return terrain && terrain !== "none" ? heightInBlock(terrain, x - bx * blockSide, y - by * blockSide) : null;
+  }
+
+  private moveTo(block: number): void {
+    this.center = block;
+    this.drop(block);
+    this.wanted = around(block, drawRadius + 1);
+    this.missing = around(block, drawRadius).filter((id) => !this.meshes.has(id));
   }
 
   private async fetch(block: number): Promise<void> {
