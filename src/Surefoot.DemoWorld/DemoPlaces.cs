@@ -1,0 +1,73 @@
+using System.Collections.Immutable;
+using System.Numerics;
+using Surefoot.DemoWorld.Land;
+
+namespace Surefoot.DemoWorld;
+
+/// <summary>The named places of the demo world, shared by the page, the tool and the tests.</summary>
+public static class DemoPlaces
+{
+    private static readonly Lazy<ImmutableArray<NamedPlace>> DefaultPlaces = new(() => For(DemoTerrain.Create()));
+
+    /// <summary>The places of the world that <see cref="DemoWorldBuilder.DefaultSeed"/> makes, the starting place first.</summary>
+    public static ImmutableArray<NamedPlace> All => DefaultPlaces.Value;
+
+    /// <summary>The places of a world with another seed.</summary>
+    /// <remarks>The names are the same for every seed; some places move with the landscape.</remarks>
+    public static ImmutableArray<NamedPlace> For(uint seed)
+        => seed == DemoWorldBuilder.DefaultSeed ? All : For(DemoTerrain.Create(seed));
+
+    /// <summary>Looks a place of the default world up by its name, without regard to case.</summary>
+    public static bool TryFind(string name, out NamedPlace place)
+    {
+        place = All.FirstOrDefault(p => p.Name.Equals(name, StringComparison.OrdinalIgnoreCase))!;
+        return place is not null;
+    }
+
+    /// <summary>The names that resemble one that nobody has, nearest first; for error messages.</summary>
+    public static IEnumerable<string> Resembling(string name)
+        => All.Select(p => p.Name).OrderBy(n => Distance(n, name.ToLowerInvariant())).ThenBy(n => n, StringComparer.Ordinal).Take(3);
+
+    internal static ImmutableArray<NamedPlace> For(DemoTerrain terrain)
+    {
+        var list = new PlaceList(terrain);
+        LandPlaces.AddTo(list);
+        return list.Places;
+    }
+
+    private static int Distance(string a, string b)
+    {
+        int[] row = [.. Enumerable.Range(0, b.Length + 1)];
+        for (int i = 1; i <= a.Length; i++)
+        {
+            int diagonal = row[0];
+            row[0] = i;
+            for (int j = 1; j <= b.Length; j++)
+            {
+                int substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+                diagonal = row[j];
+                row[j] = Math.Min(substituted, Math.Min(row[j], row[j - 1]) + 1);
+            }
+        }
+
+        return row[b.Length];
+    }
+}
+
+/// <summary>Collects places and puts them on the ground.</summary>
+internal sealed class PlaceList(DemoTerrain terrain)
+{
+    private readonly ImmutableArray<NamedPlace>.Builder places = ImmutableArray.CreateBuilder<NamedPlace>();
+
+    public DemoTerrain Terrain => terrain;
+
+    public ImmutableArray<NamedPlace> Places => places.ToImmutable();
+
+    /// <summary>Adds an outdoor place, given in metres from the land's south-west corner; the heading in degrees clockwise from north.</summary>
+    public void Add(string name, string title, double x, double y, double heading, string whatToTry)
+    {
+        var ground = terrain.GroundAt(x, y);
+        var feet = new Vector3(ground.Position.X, ground.Position.Y, ground.RestHeight);
+        places.Add(new(name, title, ground.CellId, feet, (float)heading, whatToTry));
+    }
+}

@@ -1,0 +1,52 @@
+using Surefoot.Dats;
+using Surefoot.Dats.Records;
+using Surefoot.DemoWorld.Human;
+using Surefoot.DemoWorld.Land;
+using Surefoot.DemoWorld.Records;
+
+namespace Surefoot.DemoWorld;
+
+/// <summary>How far the writing of a world is.</summary>
+/// <param name="Step">What is being done.</param>
+/// <param name="Share">0 at the start, 1 when all is written.</param>
+public readonly record struct DemoWorldProgress(string Step, double Share);
+
+/// <summary>Writes the demo world as real dat files.</summary>
+public static class DemoWorldBuilder
+{
+    /// <summary>The seed of the world that the page, the tool and the tests share.</summary>
+    public const uint DefaultSeed = 1999;
+
+    /// <summary>Writes client_portal.dat, client_cell_1.dat and an empty client_local_English.dat.</summary>
+    /// <remarks>The same seed gives the same bytes. Takes well under a second. Existing files of these names are replaced.</remarks>
+    /// <param name="directory">Where to; made when missing.</param>
+    /// <param name="seed">Chooses the landscape; the places keep their names.</param>
+    /// <param name="progress">Told about each step; null when nobody listens.</param>
+    /// <exception cref="ArgumentException">The directory is empty text.</exception>
+    /// <exception cref="IOException">A file cannot be written.</exception>
+    /// <exception cref="UnauthorizedAccessException">The directory is not the caller's to write to.</exception>
+    public static void Write(string directory, uint seed = DefaultSeed, IProgress<DemoWorldProgress>? progress = null)
+    {
+        ArgumentException.ThrowIfNullOrWhiteSpace(directory);
+        Directory.CreateDirectory(directory);
+        progress?.Report(new("shaping the land", 0.0));
+        var terrain = DemoTerrain.Create(seed);
+        progress?.Report(new("writing the shared records", 0.4));
+        WriteFile(Path.Combine(directory, DatSet.PortalName), DatFileKind.Portal, PortalRecords());
+        progress?.Report(new("writing the land", 0.7));
+        WriteFile(Path.Combine(directory, DatSet.CellName), DatFileKind.Cell, LandRecords.All(terrain));
+        WriteFile(Path.Combine(directory, DatSet.LocalName), DatFileKind.Local, []);
+        progress?.Report(new("done", 1.0));
+    }
+
+    private static IEnumerable<DatRecord> PortalRecords()
+        => [.. Surfaces.All(), .. HumanBody.All(), .. HumanMotions.All(), .. RegionRecords.All()];
+
+    private static void WriteFile(string path, DatFileKind kind, IEnumerable<DatRecord> records)
+    {
+        var writer = new DatFileWriter(path, kind);
+        foreach (var record in records)
+            writer.Add(record);
+        writer.Complete();
+    }
+}

@@ -1,2 +1,0 @@
-namespace Surefoot.DemoWorld;
-internal static class Marker;

@@ -1,0 +1,64 @@
+using Surefoot.Dats;
+
+namespace Surefoot.DemoWorld.Tests;
+
+public sealed class CacheTests : IDisposable
+{
+    private readonly string folder = Directory.CreateTempSubdirectory("surefoot-cache-").FullName;
+    private readonly string? before = Environment.GetEnvironmentVariable(DemoWorldCache.FolderVariable);
+
+    public CacheTests() => Environment.SetEnvironmentVariable(DemoWorldCache.FolderVariable, folder);
+
+    public void Dispose()
+    {
+        Environment.SetEnvironmentVariable(DemoWorldCache.FolderVariable, before);
+        Directory.Delete(folder, recursive: true);
+    }
+
+    [Fact, Behaviour("demo-world.cache.writes-once", "issue 3, item 3")]
+    public void A_world_is_written_once_and_then_found()
+    {
+        string first = DemoWorldCache.GetOrCreate();
+        Assert.StartsWith(folder, first);
+        var written = File.GetLastWriteTimeUtc(Path.Combine(first, DatSet.CellName));
+        var steps = new List<DemoWorldProgress>();
+        Assert.Equal(first, DemoWorldCache.GetOrCreate(progress: new Listener(steps)));
+        Assert.Empty(steps);
+        Assert.Equal(written, File.GetLastWriteTimeUtc(Path.Combine(first, DatSet.CellName)));
+        Assert.NotEqual(first, DemoWorldCache.GetOrCreate(seed: 5));
+    }
+
+    [Fact, Behaviour("demo-world.cache.survives-a-race", "issue 3, item 3")]
+    public async Task Several_callers_at_once_get_one_whole_world()
+    {
+        string[] folders = await Task.WhenAll(Enumerable.Range(0, 8).Select(_ => Task.Run(() => DemoWorldCache.GetOrCreate(seed: 77), TestContext.Current.CancellationToken)));
+        Assert.Single(folders.Distinct());
+        using var dats = DatSet.Open(folders[0]);
+        Assert.Equal(100, dats.IdsOf(DatRecordType.LandBlock).Count());
+        Assert.Single(Directory.GetDirectories(DemoWorldCache.Root));
+    }
+
+    [Fact, Behaviour("demo-world.cache.repairs-damage", "issue 3, item 3")]
+    public void A_world_that_lost_a_file_is_written_again()
+    {
+        string world = DemoWorldCache.GetOrCreate();
+        File.Delete(Path.Combine(world, DatSet.CellName));
+        Assert.Equal(world, DemoWorldCache.GetOrCreate());
+        Assert.True(File.Exists(Path.Combine(world, DatSet.CellName)));
+    }
+
+    [Fact, Behaviour("demo-world.cache.reports-progress", "issue 3, item 3")]
+    public void Writing_tells_how_far_it_is()
+    {
+        var steps = new List<DemoWorldProgress>();
+        DemoWorldCache.GetOrCreate(seed: 3, new Listener(steps));
+        Assert.Equal(0.0, steps[0].Share);
+        Assert.Equal(1.0, steps[^1].Share);
+        Assert.Equal(steps.Select(step => step.Share).Order(), steps.Select(step => step.Share));
+    }
+
+    private sealed class Listener(List<DemoWorldProgress> steps) : IProgress<DemoWorldProgress>
+    {
+        public void Report(DemoWorldProgress value) => steps.Add(value);
+    }
+}

@@ -1,0 +1,105 @@
+using System.Numerics;
+using Surefoot.Dats;
+using Surefoot.Dats.Records;
+
+namespace Surefoot.DemoWorld.Tests;
+
+public sealed class HumanTests(DemoFolder world) : IClassFixture<DemoFolder>
+{
+    private const uint NonCombat = 0x8000003D;
+
+    private MotionTable Table => world.Dats.Read<MotionTable>(DemoIds.HumanMotionTable);
+
+    [Fact, Behaviour("demo-world.human.collides-by-two-spheres", "spec/03, sphere path")]
+    public void A_human_has_two_spheres_and_retail_step_heights()
+    {
+        var setup = world.Dats.Read<Setup>(DemoIds.HumanSetup);
+        Assert.Equal([new DatSphere(new(0, 0, 0.475f), 0.48f), new DatSphere(new(0, 0, 1.35f), 0.48f)], setup.Spheres);
+        Assert.Empty(setup.CylSpheres);
+        Assert.Equal((0.6f, 1.5f), (setup.StepUpHeight, setup.StepDownHeight));
+        Assert.Equal(DemoIds.HumanMotionTable, setup.DefaultMotionTableId);
+        Assert.False(setup.Flags.HasFlag(SetupFlags.HasPhysicsBsp));
+        Assert.All(setup.PartIds, id => Assert.Null(world.Dats.Read<GfxObj>(id).PhysicsTree));
+    }
+
+    [Theory]
+    [InlineData(0x41000003, 0f, 0f, 0f)]
+    [InlineData(0x45000005, 0f, 3.12f, 0f)]
+    [InlineData(0x44000007, 0f, 4f, 0f)]
+    [InlineData(0x6500000F, 1.25f, 0f, 0f)]
+    [InlineData(0x6500000D, 0f, 0f, -1.5f)]
+    [InlineData(0x40000015, 0f, 0f, 0f)]
+    [Behaviour("demo-world.human.moves-at-retail-speeds", "spec/01, 3 and 4.11")]
+    public void A_cycle_has_retails_velocity(uint motion, float x, float y, float turn)
+    {
+        var data = Cycle(motion);
+        Assert.Equal(new Vector3(x, y, 0), data.Velocity);
+        Assert.Equal(new Vector3(0, 0, turn), data.Omega);
+        var animation = Assert.Single(data.Animations);
+        Assert.Equal(30f, animation.FramesPerSecond);
+        Assert.Equal((0, -1), (animation.LowFrame, animation.HighFrame));
+    }
+
+    [Fact, Behaviour("demo-world.human.turns-and-sidesteps-while-moving", "spec/01b, 2")]
+    public void Turning_and_sidestepping_are_cycles_from_ready_and_modifiers_otherwise()
+    {
+        foreach (uint motion in new[] { 0x6500000Du, 0x6500000Fu })
+        {
+            Assert.Equal(2, Cycle(motion).Bitfield);
+            var modifier = Assert.Single(Table.Modifiers, entry => entry.Key == MotionTable.KeyOf(NonCombat, motion)).Data;
+            Assert.Equal((Cycle(motion).Velocity, Cycle(motion).Omega), (modifier.Velocity, modifier.Omega));
+            Assert.Empty(modifier.Animations);
+        }
+
+        // Rule 4 takes modifiers only on cycles without bit 1.
+        foreach (uint motion in new[] { 0x45000005u, 0x44000007u, 0x40000015u, 0x6500000Du, 0x6500000Fu })
+            Assert.Equal(0, Cycle(motion).Bitfield & 1);
+    }
+
+    [Fact, Behaviour("demo-world.human.has-every-substate", "spec/01, 2.1")]
+    public void Every_locomotion_substate_has_a_cycle_and_left_and_backward_have_none()
+    {
+        foreach (uint motion in new[] { 0x41000003u, 0x45000005u, 0x44000007u, 0x40000008u, 0x40000011u, 0x40000015u, 0x41000012u, 0x41000013u, 0x41000014u })
+            Assert.NotEmpty(Cycle(motion).Animations);
+        foreach (uint motion in new[] { 0x45000006u, 0x6500000Eu, 0x65000010u })
+            Assert.DoesNotContain(Table.Cycles.Concat(Table.Modifiers), entry => entry.Key == MotionTable.KeyOf(NonCombat, motion));
+        Assert.Equal(NonCombat, Table.DefaultStyle);
+        Assert.Equal([new MotionStyle(NonCombat, 0x41000003)], Table.Styles);
+    }
+
+    [Fact, Behaviour("demo-world.human.links-are-short", "spec/01b, 2")]
+    public void Links_between_gaits_play_at_30_frames_a_second_and_end_within_a_fifth_of_a_second()
+    {
+        uint[] gaits = [0x41000003, 0x45000005, 0x44000007];
+        foreach (var link in Table.Links.Where(link => gaits.Any(gait => link.Key == MotionTable.KeyOf(NonCombat, gait))))
+        {
+            foreach (var target in link.Targets.Where(target => gaits.Contains(target.Key)))
+            {
+                var animation = Assert.Single(target.Data.Animations);
+                Assert.Equal(30f, animation.FramesPerSecond);
+                Assert.InRange(world.Dats.Read<Animation>(animation.AnimationId).Frames.Length, 1, 6);
+                Assert.Equal((Vector3.Zero, Vector3.Zero), (target.Data.Velocity, target.Data.Omega));
+            }
+        }
+    }
+
+    [Fact, Behaviour("demo-world.human.parts-fit-the-body", "spec/07, 7.6 and 7.7")]
+    public void Poses_have_a_valid_frame_for_each_part_and_feet_stay_near_the_ground()
+    {
+        int parts = world.Dats.Read<Setup>(DemoIds.HumanSetup).PartIds.Length;
+        foreach (uint id in world.Dats.IdsOf(DatRecordType.Animation))
+        {
+            var animation = world.Dats.Read<Animation>(id);
+            Assert.Equal((uint)parts, animation.PartCount);
+            Assert.Empty(animation.RootMotion);
+            foreach (var frame in animation.Frames.SelectMany(frame => frame.Parts))
+            {
+                Assert.InRange(frame.Rotation.LengthSquared(), 0.9999f, 1.0001f);
+                Assert.InRange(frame.Origin.Z, -0.1f, 1.8f);
+                Assert.InRange(frame.Origin.X, -1.2f, 1.2f);
+            }
+        }
+    }
+
+    private MotionData Cycle(uint motion) => Assert.Single(Table.Cycles, entry => entry.Key == MotionTable.KeyOf(NonCombat, motion)).Data;
+}
