@@ -59,21 +59,21 @@ internal sealed class MotionSequence
     public void ClearPhysics() => velocity = omega = Vector3.Zero;
 
     /// <summary>Replaces both velocities by those of a motion at a speed.</summary>
-    public void SetPhysics(MotionData data, float speed)
+    public void SetPhysics(MotionAsset data, float speed)
     {
         velocity = RetailMath.Scale(data.Velocity, speed);
         omega = RetailMath.Scale(data.Omega, speed);
     }
 
     /// <summary>Adds the velocities of a motion at a speed.</summary>
-    public void CombinePhysics(MotionData data, float speed)
+    public void CombinePhysics(MotionAsset data, float speed)
     {
         velocity += RetailMath.Scale(data.Velocity, speed);
         omega += RetailMath.Scale(data.Omega, speed);
     }
 
     /// <summary>Takes the velocities of a motion at a speed off again.</summary>
-    public void SubtractPhysics(MotionData data, float speed)
+    public void SubtractPhysics(MotionAsset data, float speed)
     {
         velocity -= RetailMath.Scale(data.Velocity, speed);
         omega -= RetailMath.Scale(data.Omega, speed);
@@ -81,7 +81,7 @@ internal sealed class MotionSequence
 
     /// <summary>Appends an animation; it becomes the cycle, and what was the cycle before it a link.</summary>
     /// <remarks>Retail: CSequence::append_animation.</remarks>
-    public void Append(in MotionAnimation animation, float speed)
+    public void Append(in AnimationSpan animation, float speed)
     {
         if (Count == nodes.Length) Array.Resize(ref nodes, nodes.Length * 2);
         int last = animation.Animation.FrameCount - 1;

@@ -8,13 +8,13 @@ namespace Surefoot.Physics.Motion;
 /// <param name="LowFrame">First frame.</param>
 /// <param name="HighFrame">Last frame; negative is the animation's last.</param>
 /// <param name="Framerate">Frames a second.</param>
-public readonly record struct MotionAnimation(AnimationAsset Animation, int LowFrame, int HighFrame, float Framerate);
+public readonly record struct AnimationSpan(AnimationAsset Animation, int LowFrame, int HighFrame, float Framerate);
 
 /// <summary>Animations and velocity of a motion. Immutable.</summary>
 /// <remarks>Retail: MotionData.</remarks>
-public sealed class MotionData
+public sealed class MotionAsset
 {
-    private readonly MotionAnimation[] animations;
+    private readonly AnimationSpan[] animations;
 
     /// <summary>A motion.</summary>
     /// <param name="animations">What is played, in order; only the last of a cycle repeats.</param>
@@ -22,10 +22,10 @@ public sealed class MotionData
     /// <param name="omega">rad/s, body axes.</param>
     /// <param name="bitfield">1: ends modifiers; 2: only from the default substate.</param>
     /// <exception cref="ArgumentException">A number is NaN or infinite.</exception>
-    public MotionData(ReadOnlySpan<MotionAnimation> animations, Vector3 velocity = default, Vector3 omega = default, byte bitfield = 0)
+    public MotionAsset(ReadOnlySpan<AnimationSpan> animations, Vector3 velocity = default, Vector3 omega = default, byte bitfield = 0)
     {
         if (!RetailMath.IsFinite(velocity) || !RetailMath.IsFinite(omega)) throw new ArgumentException("A velocity of a motion is not finite.");
-        foreach (MotionAnimation animation in animations)
+        foreach (AnimationSpan animation in animations)
         {
             ArgumentNullException.ThrowIfNull(animation.Animation, nameof(animations));
             if (!float.IsFinite(animation.Framerate)) throw new ArgumentException("A framerate of a motion is not finite.", nameof(animations));
@@ -38,7 +38,7 @@ public sealed class MotionData
     }
 
     /// <summary>What is played, in order.</summary>
-    public ReadOnlySpan<MotionAnimation> Animations => animations;
+    public ReadOnlySpan<AnimationSpan> Animations => animations;
 
     /// <summary>m/s, body axes.</summary>
     public Vector3 Velocity { get; }
@@ -59,17 +59,17 @@ public sealed class MotionData
 public sealed class MotionTableAsset
 {
     private readonly Dictionary<MotionCommand, MotionCommand> styleDefaults;
-    private readonly Dictionary<uint, MotionData> cycles;
-    private readonly Dictionary<uint, MotionData> modifiers;
-    private readonly Dictionary<(uint From, MotionCommand To), MotionData> links;
+    private readonly Dictionary<uint, MotionAsset> cycles;
+    private readonly Dictionary<uint, MotionAsset> modifiers;
+    private readonly Dictionary<(uint From, MotionCommand To), MotionAsset> links;
 
     internal MotionTableAsset(
         uint id,
         MotionCommand defaultStyle,
         Dictionary<MotionCommand, MotionCommand> styleDefaults,
-        Dictionary<uint, MotionData> cycles,
-        Dictionary<uint, MotionData> modifiers,
-        Dictionary<(uint From, MotionCommand To), MotionData> links)
+        Dictionary<uint, MotionAsset> cycles,
+        Dictionary<uint, MotionAsset> modifiers,
+        Dictionary<(uint From, MotionCommand To), MotionAsset> links)
     {
         Id = id;
         DefaultStyle = defaultStyle;
@@ -89,15 +89,15 @@ public sealed class MotionTableAsset
     public MotionCommand DefaultSubstate(MotionCommand style) => styleDefaults.GetValueOrDefault(style);
 
     /// <summary>The cycle of a substate in a style, or null.</summary>
-    public MotionData? Cycle(MotionCommand style, MotionCommand motion) => cycles.GetValueOrDefault(Key(style, motion));
+    public MotionAsset? Cycle(MotionCommand style, MotionCommand motion) => cycles.GetValueOrDefault(Key(style, motion));
 
     /// <summary>A modifier in a style, or for every style, or null.</summary>
-    public MotionData? Modifier(MotionCommand style, MotionCommand motion) =>
+    public MotionAsset? Modifier(MotionCommand style, MotionCommand motion) =>
         modifiers.GetValueOrDefault(Key(style, motion)) ?? modifiers.GetValueOrDefault((uint)motion & MotionCommands.KeyMask);
 
     /// <summary>What leads from one substate to another motion, or null. Backwards the link of the opposite way is taken.</summary>
     /// <remarks>Retail: CMotionTable::get_link.</remarks>
-    internal MotionData? Link(MotionCommand style, MotionCommand substate, float substateSpeed, MotionCommand motion, float speed)
+    internal MotionAsset? Link(MotionCommand style, MotionCommand substate, float substateSpeed, MotionCommand motion, float speed)
     {
         if (substateSpeed >= 0 && speed >= 0)
             return links.GetValueOrDefault((Key(style, substate), motion)) ?? links.GetValueOrDefault((Key(style, MotionCommand.None), motion));
@@ -113,9 +113,9 @@ public sealed class MotionTableAsset
 public sealed class MotionTableBuilder
 {
     private readonly Dictionary<MotionCommand, MotionCommand> styleDefaults = [];
-    private readonly Dictionary<uint, MotionData> cycles = [];
-    private readonly Dictionary<uint, MotionData> modifiers = [];
-    private readonly Dictionary<(uint From, MotionCommand To), MotionData> links = [];
+    private readonly Dictionary<uint, MotionAsset> cycles = [];
+    private readonly Dictionary<uint, MotionAsset> modifiers = [];
+    private readonly Dictionary<(uint From, MotionCommand To), MotionAsset> links = [];
     private readonly uint id;
     private readonly MotionCommand defaultStyle;
 
@@ -134,32 +134,32 @@ public sealed class MotionTableBuilder
     }
 
     /// <summary>Adds a cycle.</summary>
-    public MotionTableBuilder Cycle(MotionCommand style, MotionCommand motion, MotionData data) => Cycle(MotionTableAsset.Key(style, motion), data);
+    public MotionTableBuilder Cycle(MotionCommand style, MotionCommand motion, MotionAsset data) => Cycle(MotionTableAsset.Key(style, motion), data);
 
     /// <summary>Adds a cycle under its key.</summary>
-    public MotionTableBuilder Cycle(uint key, MotionData data)
+    public MotionTableBuilder Cycle(uint key, MotionAsset data)
     {
         cycles[key] = data;
         return this;
     }
 
     /// <summary>Adds a modifier of one style.</summary>
-    public MotionTableBuilder Modifier(MotionCommand style, MotionCommand motion, MotionData data) =>
+    public MotionTableBuilder Modifier(MotionCommand style, MotionCommand motion, MotionAsset data) =>
         Modifier(MotionTableAsset.Key(style, motion), data);
 
     /// <summary>Adds a modifier under its key; one without a style is for every style.</summary>
-    public MotionTableBuilder Modifier(uint key, MotionData data)
+    public MotionTableBuilder Modifier(uint key, MotionAsset data)
     {
         modifiers[key] = data;
         return this;
     }
 
     /// <summary>Adds what leads from a substate to a motion.</summary>
-    public MotionTableBuilder Link(MotionCommand style, MotionCommand from, MotionCommand to, MotionData data) =>
+    public MotionTableBuilder Link(MotionCommand style, MotionCommand from, MotionCommand to, MotionAsset data) =>
         Link(MotionTableAsset.Key(style, from), to, data);
 
     /// <summary>Adds a link under its key.</summary>
-    public MotionTableBuilder Link(uint fromKey, MotionCommand to, MotionData data)
+    public MotionTableBuilder Link(uint fromKey, MotionCommand to, MotionAsset data)
     {
         links[(fromKey, to)] = data;
         return this;

@@ -86,11 +86,11 @@ internal sealed class MotionTableSequencer(MotionTableAsset table, MotionTableSt
         MotionCommand newDefault = table.DefaultSubstate(style);
         if (newDefault == MotionCommand.None || table.Cycle(style, newDefault) is not { } cycle) return false;
 
-        MotionData? toDefault = defaultSubstate == state.Substate
+        MotionAsset? toDefault = defaultSubstate == state.Substate
             ? null
             : table.Link(state.Style, state.Substate, state.SubstateSpeed, defaultSubstate, speed);
         if (cycle.ClearsModifiers) state.ClearModifiers();
-        MotionData? toStyle = table.Link(state.Style, defaultSubstate, state.SubstateSpeed, style, speed), fromDefaultStyle = null;
+        MotionAsset? toStyle = table.Link(state.Style, defaultSubstate, state.SubstateSpeed, style, speed), fromDefaultStyle = null;
         if (toStyle is null)
         {
             toStyle = table.Link(state.Style, defaultSubstate, 1f, table.DefaultStyle, 1f);
@@ -112,7 +112,7 @@ internal sealed class MotionTableSequencer(MotionTableAsset table, MotionTableSt
     private bool DoSubstate(MotionCommand motion, float speed, MotionCommand defaultSubstate, out int animations)
     {
         animations = 0;
-        MotionData? cycle = table.Cycle(state.Style, motion) ?? table.Cycle(table.DefaultStyle, motion);
+        MotionAsset? cycle = table.Cycle(state.Style, motion) ?? table.Cycle(table.DefaultStyle, motion);
         if (cycle is null || !IsAllowed(motion, cycle, defaultSubstate)) return false;
 
         bool sameDirection = SameSign(speed, state.SubstateSpeed);
@@ -126,7 +126,7 @@ internal sealed class MotionTableSequencer(MotionTableAsset table, MotionTableSt
         }
 
         if (cycle.ClearsModifiers) state.ClearModifiers();
-        MotionData? link = table.Link(state.Style, state.Substate, state.SubstateSpeed, motion, speed), viaDefault = null;
+        MotionAsset? link = table.Link(state.Style, state.Substate, state.SubstateSpeed, motion, speed), viaDefault = null;
         if (link is null || !sameDirection)
         {
             link = table.Link(state.Style, state.Substate, state.SubstateSpeed, defaultSubstate, 1f);
@@ -158,7 +158,7 @@ internal sealed class MotionTableSequencer(MotionTableAsset table, MotionTableSt
     {
         animations = 0;
         if (table.Cycle(state.Style, state.Substate) is not { } cycle) return false;
-        MotionData? toAction = table.Link(state.Style, state.Substate, state.SubstateSpeed, motion, speed);
+        MotionAsset? toAction = table.Link(state.Style, state.Substate, state.SubstateSpeed, motion, speed);
         if (toAction is not null)
         {
             BeginAction(motion, speed);
@@ -168,11 +168,11 @@ internal sealed class MotionTableSequencer(MotionTableAsset table, MotionTableSt
             return true;
         }
 
-        MotionData? toDefault = table.Link(state.Style, state.Substate, state.SubstateSpeed, defaultSubstate, 1f);
+        MotionAsset? toDefault = table.Link(state.Style, state.Substate, state.SubstateSpeed, defaultSubstate, 1f);
         if (toDefault is null) return false;
         toAction = table.Link(state.Style, defaultSubstate, 1f, motion, speed);
         if (toAction is null) return false;
-        MotionData? back = table.Link(state.Style, defaultSubstate, 1f, state.Substate, state.SubstateSpeed);
+        MotionAsset? back = table.Link(state.Style, defaultSubstate, 1f, state.Substate, state.SubstateSpeed);
         BeginAction(motion, speed);
         AddMotion(toDefault, 1f);
         AddMotion(toAction, speed);
@@ -189,7 +189,7 @@ internal sealed class MotionTableSequencer(MotionTableAsset table, MotionTableSt
         sequence.RemoveCyclic();
     }
 
-    private void EndAction(MotionData cycle)
+    private void EndAction(MotionAsset cycle)
     {
         AddMotion(cycle, state.SubstateSpeed);
         ReModify();
@@ -211,11 +211,11 @@ internal sealed class MotionTableSequencer(MotionTableAsset table, MotionTableSt
 
     /// <summary>Replaces the velocities and appends the animations of a motion.</summary>
     /// <remarks>Retail: add_motion.</remarks>
-    private void AddMotion(MotionData? data, float speed)
+    private void AddMotion(MotionAsset? data, float speed)
     {
         if (data is null) return;
         sequence.SetPhysics(data, speed);
-        foreach (ref readonly MotionAnimation animation in data.Animations) sequence.Append(animation, speed);
+        foreach (ref readonly AnimationSpan animation in data.Animations) sequence.Append(animation, speed);
     }
 
     /// <summary>Takes all modifiers off and does them again on the new cycle, the oldest last.</summary>
@@ -241,10 +241,10 @@ internal sealed class MotionTableSequencer(MotionTableAsset table, MotionTableSt
         else if (Math.Abs(to) < Geometry.RetailMath.Epsilon) sequence.MultiplyCyclicFramerate(0f);
     }
 
-    private bool IsAllowed(MotionCommand motion, MotionData data, MotionCommand defaultSubstate) =>
+    private bool IsAllowed(MotionCommand motion, MotionAsset data, MotionCommand defaultSubstate) =>
         !data.OnlyFromDefault || motion == state.Substate || defaultSubstate == state.Substate;
 
     private static bool SameSign(float a, float b) => a >= 0 == b >= 0;
 
-    private static int CountOf(MotionData? data) => data?.Animations.Length ?? 0;
+    private static int CountOf(MotionAsset? data) => data?.Animations.Length ?? 0;
 }

@@ -13,8 +13,8 @@ internal static class HumanoidTable
 
     internal static MotionTableAsset Create(bool smooth = false, bool links = false)
     {
-        MotionData Data(Vector3 velocity = default, Vector3 omega = default, byte bits = 0) =>
-            new(smooth ? [] : [new MotionAnimation(TenFrames, 0, -1, 30f)], velocity, omega, bits);
+        MotionAsset Data(Vector3 velocity = default, Vector3 omega = default, byte bits = 0) =>
+            new(smooth ? [] : [new AnimationSpan(TenFrames, 0, -1, 30f)], velocity, omega, bits);
 
         MotionTableBuilder table = new MotionTableBuilder(0x09000001)
             .Style(MotionCommand.NonCombat, MotionCommand.Ready)
@@ -30,7 +30,7 @@ internal static class HumanoidTable
             .Modifier((uint)MotionCommand.TurnRight & MotionCommands.KeyMask, Data(omega: new Vector3(0, 0, -1.5f)));
         if (links)
         {
-            MotionData link = new([new MotionAnimation(new AnimationAsset(0x03000002, 6), 0, -1, 30f)]);
+            MotionAsset link = new([new AnimationSpan(new AnimationAsset(0x03000002, 6), 0, -1, 30f)]);
             foreach (MotionCommand motion in (MotionCommand[])[MotionCommand.WalkForward, MotionCommand.RunForward])
             {
                 table.Link(MotionCommand.NonCombat, MotionCommand.Ready, motion, link);

@@ -218,8 +218,8 @@ public class MotionTableTests
     [Behaviour("motion.table.only-from-default", "spec/01b, 2, is_allowed")]
     public void ACycleOnlyFromTheDefaultSubstateIsRefusedElsewhere()
     {
-        MotionData plain = new([new MotionAnimation(HumanoidTable.TenFrames, 0, -1, 30f)]);
-        MotionData special = new([new MotionAnimation(HumanoidTable.TenFrames, 0, -1, 30f)], bitfield: 2);
+        MotionAsset plain = new([new AnimationSpan(HumanoidTable.TenFrames, 0, -1, 30f)]);
+        MotionAsset special = new([new AnimationSpan(HumanoidTable.TenFrames, 0, -1, 30f)], bitfield: 2);
         MotionTableAsset table = new MotionTableBuilder(1).Style(Style, MotionCommand.Ready)
             .Cycle(Style, MotionCommand.Ready, plain).Cycle(Style, MotionCommand.WalkForward, plain).Cycle(Style, MotionCommand.Crouch, special).Build();
         MotionTableManager manager = Ready(table);
@@ -235,7 +235,7 @@ public class MotionTableTests
     public void AStyleWithoutALinkGoesByWayOfTheDefaultStyle()
     {
         AnimationAsset a = new(1, 2), b = new(2, 2), c = new(3, 2);
-        MotionData Data(AnimationAsset animation) => new([new MotionAnimation(animation, 0, -1, 30f)]);
+        MotionAsset Data(AnimationAsset animation) => new([new AnimationSpan(animation, 0, -1, 30f)]);
         const MotionCommand Bowing = (MotionCommand)0x8000003F;
         MotionTableAsset table = new MotionTableBuilder(1)
             .Style(Style, MotionCommand.Ready).Style(Combat, MotionCommand.Ready).Style(Bowing, MotionCommand.Ready)
@@ -270,8 +270,8 @@ public class MotionTableTests
     [Behaviour("motion.table.backward-links-are-the-opposite-way", "spec/01b, 2, get_link")]
     public void ANegativeSpeedTakesTheLinkOfTheOppositeWay()
     {
-        MotionData there = new([new MotionAnimation(new AnimationAsset(1, 2), 0, -1, 30f)]);
-        MotionData back = new([new MotionAnimation(new AnimationAsset(2, 2), 0, -1, 30f)]);
+        MotionAsset there = new([new AnimationSpan(new AnimationAsset(1, 2), 0, -1, 30f)]);
+        MotionAsset back = new([new AnimationSpan(new AnimationAsset(2, 2), 0, -1, 30f)]);
         MotionTableAsset table = new MotionTableBuilder(1).Style(Style, MotionCommand.Ready)
             .Link(Style, MotionCommand.Ready, MotionCommand.WalkForward, there)
             .Link(Style, MotionCommand.WalkForward, MotionCommand.Ready, back).Build();
@@ -284,7 +284,7 @@ public class MotionTableTests
     [Behaviour("motion.table.evicting-modifiers-end", "spec/01b, 2, re_modify")]
     public void ATableWhoseTurnsEvictEachOtherEnds()
     {
-        MotionData plain = new([new MotionAnimation(HumanoidTable.TenFrames, 0, -1, 30f)]);
+        MotionAsset plain = new([new AnimationSpan(HumanoidTable.TenFrames, 0, -1, 30f)]);
         MotionTableAsset table = new MotionTableBuilder(1).Style(Style, MotionCommand.Ready)
             .Cycle(Style, MotionCommand.Ready, plain).Cycle(Style, MotionCommand.TurnRight, plain).Cycle(Style, MotionCommand.SideStepRight, plain).Build();
         MotionTableManager manager = Ready(table);
@@ -313,7 +313,7 @@ public class MotionTableTests
             for (int i = 0; i < manager.State.ModifierCount; i++)
             {
                 MotionSpeed modifier = manager.State.GetModifier(i);
-                MotionData data = manager.Table.Modifier(Style, modifier.Motion)!;
+                MotionAsset data = manager.Table.Modifier(Style, modifier.Motion)!;
                 velocity += data.Velocity * modifier.Speed;
                 omega += data.Omega * modifier.Speed;
             }

@@ -20,7 +20,7 @@ public class SequenceTests
     private static MotionSequence Cycle(Vector3 velocity, float speed, Vector3 omega = default, AnimationAsset? animation = null)
     {
         MotionSequence sequence = new();
-        MotionData data = new([new MotionAnimation(animation ?? TenFrames, 0, -1, 30f)], velocity, omega);
+        MotionAsset data = new([new AnimationSpan(animation ?? TenFrames, 0, -1, 30f)], velocity, omega);
         sequence.SetPhysics(data, speed);
         sequence.Append(data.Animations[0], speed);
         return sequence;
@@ -90,7 +90,7 @@ public class SequenceTests
     public void WithoutAnimationsVelocityIsHandedOutContinuously()
     {
         MotionSequence sequence = new();
-        sequence.SetPhysics(new MotionData([], new Vector3(0, 4f, 0)), 2.5f);
+        sequence.SetPhysics(new MotionAsset([], new Vector3(0, 4f, 0)), 2.5f);
         Assert.Equal((float)(Tick * 10.0), Advance(sequence, Tick).Origin.Y);
         Assert.Equal((float)(0.001f * 10.0), Advance(sequence, 0.001f).Origin.Y);
     }
@@ -100,7 +100,7 @@ public class SequenceTests
     public void AnAnimationThatStandsStillMovesByTime()
     {
         MotionSequence sequence = new();
-        MotionData data = new([new MotionAnimation(TenFrames, 0, -1, 0f)], new Vector3(0, 2f, 0));
+        MotionAsset data = new([new AnimationSpan(TenFrames, 0, -1, 0f)], new Vector3(0, 2f, 0));
         sequence.SetPhysics(data, 1f);
         sequence.Append(data.Animations[0], 1f);
         Assert.Equal((float)(Tick * 2.0), Advance(sequence, Tick).Origin.Y);
@@ -113,9 +113,9 @@ public class SequenceTests
     {
         MotionSequence sequence = new();
         AnimationAsset link = new(7, 3), cycle = new(8, 4);
-        sequence.Append(new MotionAnimation(link, 0, -1, 10f), 1f);
-        sequence.Append(new MotionAnimation(link, 0, -1, 10f), 1f);
-        sequence.Append(new MotionAnimation(cycle, 0, -1, 10f), 1f);
+        sequence.Append(new AnimationSpan(link, 0, -1, 10f), 1f);
+        sequence.Append(new AnimationSpan(link, 0, -1, 10f), 1f);
+        sequence.Append(new AnimationSpan(cycle, 0, -1, 10f), 1f);
         Assert.Equal(2, sequence.LinkCount);
         Assert.Same(link, sequence.CurrentAnimation);
 
@@ -159,10 +159,10 @@ public class SequenceTests
     public void FramesBeyondTheAnimationAreClamped()
     {
         MotionSequence sequence = new();
-        sequence.Append(new MotionAnimation(TenFrames, 20, 30, -30f), 1f);
+        sequence.Append(new AnimationSpan(TenFrames, 20, 30, -30f), 1f);
         Assert.Equal(10.0 - RetailMath.Epsilon, sequence.FrameNumber, 1e-9);
         MotionSequence other = new();
-        other.Append(new MotionAnimation(TenFrames, 5, 2, -30f), 1f);
+        other.Append(new AnimationSpan(TenFrames, 5, 2, -30f), 1f);
         Assert.Equal(6.0 - RetailMath.Epsilon, other.FrameNumber, 1e-9);
     }
 
@@ -171,8 +171,8 @@ public class SequenceTests
     public void RemovingTheCycleLeavesTheLinkAtItsEnd()
     {
         MotionSequence sequence = new();
-        sequence.Append(new MotionAnimation(TenFrames, 0, -1, 30f), 1f);
-        sequence.Append(new MotionAnimation(TenFrames, 0, 4, 30f), 1f);
+        sequence.Append(new AnimationSpan(TenFrames, 0, -1, 30f), 1f);
+        sequence.Append(new AnimationSpan(TenFrames, 0, 4, 30f), 1f);
         sequence.RemoveCyclic();
         Assert.Equal(1, sequence.Count);
         Assert.Equal(0.0, sequence.FrameNumber);
@@ -204,7 +204,7 @@ public class SequenceTests
     public void AFramerateOutOfProportionDoesNotHang()
     {
         MotionSequence sequence = new();
-        sequence.Append(new MotionAnimation(new AnimationAsset(1, 1), 0, -1, 1e30f), 1f);
+        sequence.Append(new AnimationSpan(new AnimationAsset(1, 1), 0, -1, 1e30f), 1f);
         Advance(sequence, 0.2);
         Assert.True(sequence.HasAnimations);
     }

@@ -1,0 +1,55 @@
+using System.Numerics;
+using Surefoot.Dats.Records;
+using Surefoot.Physics.Motion;
+
+namespace Surefoot.Physics.Tests.Motion;
+
+public class MotionTableLoaderTests
+{
+    private static MotionData Data(uint animation, Vector3 velocity = default) => new()
+    {
+        Animations = [new MotionAnimation(animation, 0, -1, 30f)],
+        Flags = MotionDataFlags.HasVelocity,
+        Velocity = velocity,
+    };
+
+    private static readonly MotionTable Table = new()
+    {
+        Id = 0x09000001,
+        DefaultStyle = 0x8000003D,
+        Styles = [new MotionStyle(0x8000003D, 0x41000003)],
+        Cycles = [new KeyedMotion(0x003D0003, Data(0x03000001)), new KeyedMotion(0x003D0005, Data(0x03000099, new Vector3(0, 3.12f, 0)))],
+        Modifiers = [new KeyedMotion(0x0000000D, Data(0x03000001))],
+        Links = [new MotionLinks(0x003D0003, [new KeyedMotion(0x45000005, Data(0x03000001))])],
+    };
+
+    private static Animation? Find(uint id) => id != 0x03000001 ? null : new Animation
+    {
+        Id = id,
+        Flags = AnimationFlags.HasRootMotion,
+        RootMotion = [new DatFrame(new Vector3(0, 1, 0), Quaternion.Identity), DatFrame.Identity],
+        Frames = [new AnimFrame([], []), new AnimFrame([], [])],
+    };
+
+    [Fact]
+    [Behaviour("motion.table.loads-from-records", "spec/07, 7.7 and 7.9")]
+    public void ATableIsFlattenedFromItsRecords()
+    {
+        MotionTableAsset table = MotionTableLoader.Create(Table, Find);
+        Assert.Equal((0x09000001u, MotionCommand.NonCombat, MotionCommand.Ready), (table.Id, table.DefaultStyle, table.DefaultSubstate(MotionCommand.NonCombat)));
+        AnimationSpan span = table.Cycle(MotionCommand.NonCombat, MotionCommand.Ready)!.Animations[0];
+        Assert.Equal((2, new Vector3(0, 1, 0)), (span.Animation.FrameCount, span.Animation.PositionFrames[0].Origin));
+        Assert.Same(span.Animation, table.Modifier(MotionCommand.DualWieldCombat, MotionCommand.TurnRight)!.Animations[0].Animation);
+        Assert.NotNull(table.Link(MotionCommand.NonCombat, MotionCommand.Ready, 1f, MotionCommand.WalkForward, 1f));
+        Assert.Null(table.Cycle(MotionCommand.NonCombat, MotionCommand.RunForward));
+    }
+
+    [Fact]
+    [Behaviour("motion.table.missing-animation-is-left-out", "spec/01b, 1, node")]
+    public void AMissingAnimationIsLeftOutAndTheVelocityStays()
+    {
+        MotionAsset walk = MotionTableLoader.Create(Table, Find).Cycle(MotionCommand.NonCombat, MotionCommand.WalkForward)!;
+        Assert.Equal(0, walk.Animations.Length);
+        Assert.Equal(new Vector3(0, 3.12f, 0), walk.Velocity);
+    }
+}
