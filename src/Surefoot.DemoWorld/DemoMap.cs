@@ -103,18 +103,34 @@ public static class DemoMap
 
     private static void AppendPlaces(StringBuilder svg, IReadOnlyList<NamedPlace> places)
     {
+        var labels = new LabelPlacer();
+        var dots = places.Select(place => (Place: place, At: DotOf(place))).ToList();
+        foreach (var (_, at) in dots)
+            labels.Block(at.X - 4, at.Y - 4, 8, 8);
         svg.Append("<g font-size=\"10\" fill=\"#101010\" stroke=\"#ffffffcc\" stroke-width=\"2.5\" paint-order=\"stroke\">\n");
-        foreach (var place in places)
+        foreach (var (place, (x, y)) in dots)
         {
-            var (column, row) = DemoTerrain.OriginOf((int)(place.CellId >> 24), (int)((place.CellId >> 16) & 0xFF));
-            double x = X(column) + (place.Origin.X / 24.0 * Scale), y = Y(row) - (place.Origin.Y / 24.0 * Scale);
-            bool upright = place.Name.StartsWith("slope-", StringComparison.Ordinal) && place.Name != "slope-yard";
-            string turn = upright ? FormattableString.Invariant($" transform=\"rotate(60 {x:0.#} {y:0.#})\"") : "";
             svg.Append(CultureInfo.InvariantCulture, $"<circle cx=\"{x:0.#}\" cy=\"{y:0.#}\" r=\"3\"><title>{place.Title}. {place.WhatToTry}</title></circle>");
-            svg.Append(CultureInfo.InvariantCulture, $"<text x=\"{x + 6:0.#}\" y=\"{y + 3.5:0.#}\"{turn}>{place.Name}</text>\n");
+            if (IsYardSlope(place))
+            {
+                // Twelve in a row: slanted, over the terrace behind them.
+                svg.Append(CultureInfo.InvariantCulture, $"<text x=\"{x + 5:0.#}\" y=\"{y - 5:0.#}\" transform=\"rotate(-60 {x:0.#} {y:0.#})\">{place.Name}</text>\n");
+                continue;
+            }
+
+            var (left, baseline) = labels.Place(x, y, place.Name.Length);
+            svg.Append(CultureInfo.InvariantCulture, $"<text x=\"{left:0.#}\" y=\"{baseline:0.#}\">{place.Name}</text>\n");
         }
 
         svg.Append("</g>\n");
+    }
+
+    private static bool IsYardSlope(NamedPlace place) => SlopeYard.Slopes.Any(slope => slope.Name == place.Name);
+
+    private static (double X, double Y) DotOf(NamedPlace place)
+    {
+        var (column, row) = DemoTerrain.OriginOf((int)(place.CellId >> 24), (int)((place.CellId >> 16) & 0xFF));
+        return (X(column) + (place.Origin.X / 24.0 * Scale), Y(row) - (place.Origin.Y / 24.0 * Scale));
     }
 
     private static int X(int column) => Margin + (column * Scale);
