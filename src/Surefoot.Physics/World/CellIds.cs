@@ -36,9 +36,60 @@ public static class CellIds
         return c is (>= 1 and <= 0x40) or (>= 0x100 and <= 0xFFFD) or 0xFFFF;
     }
 
+    /// <summary>Id of the block's terrain record, 0xXXYYFFFF.</summary>
+    public static uint LandblockRecord(uint cellId) => cellId | 0xFFFF;
+
+    /// <summary>Id of the block's record of buildings and objects, 0xXXYYFFFE.</summary>
+    public static uint LandblockInfoRecord(uint cellId) => BlockOf(cellId) | 0xFFFE;
+
+    /// <summary>True for global cell coordinates on the map.</summary>
+    /// <remarks>Retail: LandDefs::in_bounds @0x0043D650.</remarks>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool IsOnMap(int x, int y) => (uint)x < MapCells && (uint)y < MapCells;
+
+    /// <summary>Global cell coordinates of the south-west land cell of an id's block; false for the id 0 and outside the map.</summary>
+    /// <remarks>Retail: LandDefs::blockid_to_lcoord @0x0043D680.</remarks>
+    public static bool TryBlockCorner(uint cellId, out int x, out int y)
+    {
+        x = (int)((cellId >> 21) & 0x7F8);
+        y = (int)((cellId >> 13) & 0x7F8);
+        return cellId != 0 && IsOnMap(x, y);
+    }
+
+    /// <summary>True when the index can name a cell and the block is on the map.</summary>
+    /// <remarks>Retail: LandDefs::inbound_valid_cellid @0x004979A0.</remarks>
+    public static bool IsValid(uint cellId) => HasValidIndex(cellId) && TryBlockCorner(cellId, out _, out _);
+
+    /// <summary>Global cell coordinates of a land cell; false for anything else.</summary>
+    /// <remarks>Retail: LandDefs::gid_to_lcoord @0x00497A90.</remarks>
+    public static bool TryLandCoordinates(uint cellId, out int x, out int y)
+    {
+        if (!IsValid(cellId) || !IsOutdoor(cellId))
+        {
+            x = y = 0;
+            return false;
+        }
+
+        int index = LandIndex(cellId);
+        x = (int)((cellId >> 21) & 0x7F8) + (index >> 3);
+        y = (int)((cellId >> 13) & 0x7F8) + (index & 7);
+        return true;
+    }
+
+    /// <summary>Index of a land cell inside its block, 0..63: eight times the column plus the row.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int LandIndex(uint cellId) => (int)(cellId & 0xFFFF) - 1;
+
+    /// <summary>Is a sphere over the block that its coordinates belong to?</summary>
+    /// <param name="point">Centre, block coordinates, metres.</param>
+    /// <param name="radius">Radius, metres.</param>
+    /// <remarks>Retail: LandDefs::within_block @0x0050E800.</remarks>
+    public static bool IsWithinBlock(in Vector3 point, float radius) =>
+        point.X >= radius && point.Y >= radius && point.X < (double)BlockSize - radius && point.Y < (double)BlockSize - radius;
+
     /// <summary>Id of the land cell at global cell coordinates, 0 outside the map.</summary>
     /// <remarks>Retail: LandDefs::lcoord_to_gid @0x004A19A0.</remarks>
-    public static uint FromLandCoordinates(int x, int y) => x is >= 0 and < MapCells && y is >= 0 and < MapCells
+    public static uint FromLandCoordinates(int x, int y) => IsOnMap(x, y)
         ? ((uint)(x >> 3) << 24) | ((uint)(y >> 3) << 16) | (uint)((8 * (x & 7)) + (y & 7) + 1)
         : 0;
 

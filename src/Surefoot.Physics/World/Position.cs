@@ -45,6 +45,65 @@ public struct Position : IEquatable<Position>
     /// <summary>Distance between two origins, metres.</summary>
     public readonly double DistanceTo(in Position other) => RetailMath.Length(OffsetTo(other));
 
+    /// <summary>Horizontal distance between two origins, metres.</summary>
+    /// <remarks>Retail: Position::xy_distance @0x005A94F0.</remarks>
+    public readonly double HorizontalDistanceTo(in Position other)
+    {
+        Vector3 offset = OffsetTo(other);
+        offset.Z = 0;
+        return RetailMath.Length(offset);
+    }
+
+    /// <summary>Compass direction of another origin, degrees: 0 north, 90 east; 0 when it is straight above or below.</summary>
+    /// <remarks>Retail: Position::heading @0x005A9520.</remarks>
+    public readonly float HeadingTo(in Position other)
+    {
+        Vector3 offset = OffsetTo(other);
+        offset.Z = 0;
+        return RetailMath.NormalizeCheckSmall(ref offset) ? 0f : (float)Frame.HeadingOf(offset);
+    }
+
+    /// <summary>
+    /// Gap between two upright cylinders that stand on positions, metres; negative when they overlap. Retail mixes the measures: the
+    /// horizontal gap is taken from the distance in space.
+    /// </summary>
+    /// <param name="radius">Radius of the cylinder here.</param>
+    /// <param name="height">Height of the cylinder here.</param>
+    /// <param name="other">Where the other one stands.</param>
+    /// <param name="otherRadius">Its radius.</param>
+    /// <param name="otherHeight">Its height.</param>
+    /// <remarks>Retail: Position::cylinder_distance @0x005A97F0.</remarks>
+    public readonly double CylinderDistance(float radius, float height, in Position other, float otherRadius, float otherHeight)
+    {
+        float reach = (float)CylinderDistanceIgnoringHeight(radius, other, otherRadius);
+        double z = Frame.Origin.Z, otherZ = other.Frame.Origin.Z;
+        double rise = z <= otherZ ? otherZ - (z + height) : z - (otherZ + otherHeight);
+        double slant = Math.Sqrt((rise * rise) + ((double)reach * reach));
+        if (rise <= 0) return reach <= 0 ? -slant : reach;
+        return reach > 0 ? slant : rise;
+    }
+
+    /// <summary>Distance between origins less both radii, metres.</summary>
+    /// <remarks>Retail: Position::cylinder_distance_no_z @0x005A98B0.</remarks>
+    public readonly double CylinderDistanceIgnoringHeight(float radius, in Position other, float otherRadius) =>
+        DistanceTo(other) - ((double)radius + otherRadius);
+
+    /// <summary>
+    /// Where another origin lies seen from here, as bits: right 16 or left 8, front 32 or back 64, and the third of
+    /// <paramref name="height"/>: low 4, middle 2, high 1.
+    /// </summary>
+    /// <remarks>Retail: Position::determine_quadrant @0x005A9580.</remarks>
+    public readonly int QuadrantOf(in Position other, float height)
+    {
+        Vector3 local = LocalToLocal(other, Vector3.Zero);
+        int third = local.Z < height / 3.0 ? 4 : local.Z < 2.0 * height / 3.0 ? 2 : 1;
+        return (local.X >= 0 ? 16 : 8) | (local.Y >= 0 ? 32 : 64) | third;
+    }
+
+    /// <summary>A cell id on the map and a frame without NaN whose quaternion is of unit length.</summary>
+    /// <remarks>Retail: Position::IsValid @0x005A9480.</remarks>
+    public readonly bool IsValid => CellIds.IsValid(CellId) && Frame.IsValid;
+
     /// <summary>A point of <paramref name="other"/>'s local frame in this position's block coordinates.</summary>
     /// <remarks>Retail: Position::localtoglobal @0x00456180.</remarks>
     public readonly Vector3 LocalToGlobal(in Position other, in Vector3 point) =>

@@ -1,0 +1,68 @@
+using Surefoot.Physics.World;
+
+namespace Surefoot.Physics.Bodies;
+
+/// <summary>One entry of an object in the collision list of a cell.</summary>
+/// <remarks>Retail: CShadowObj.</remarks>
+public struct ShadowObject
+{
+    /// <summary>The cell, null while it is not loaded.</summary>
+    public ObjCell? Cell { get; internal set; }
+
+    /// <summary>Id of the cell.</summary>
+    public uint CellId { get; internal set; }
+
+    /// <summary>Place in the cell's list.</summary>
+    internal int Index { get; set; }
+}
+
+/// <content>The cells that list the object.</content>
+public partial class WorldObject
+{
+    /// <summary>One shadow for each cell the object reaches, in the order of the cell array it was placed with; see <see cref="ShadowCount"/>.</summary>
+    internal ShadowObject[] Shadows = [];
+
+    /// <summary>Number of cells that list the object, loaded or not.</summary>
+    public int ShadowCount { get; internal set; }
+
+    /// <summary>A cell that lists the object.</summary>
+    public ShadowObject ShadowAt(int index) => Shadows[index];
+
+    /// <summary>It is in a cell, has shadows, and every one of them has a cell.</summary>
+    /// <remarks>Retail: CPhysicsObj::is_completely_visible @0x005112C0.</remarks>
+    internal bool IsCompletelyVisible
+    {
+        get
+        {
+            if (Cell is null || ShadowCount == 0) return false;
+            for (int i = 0; i < ShadowCount; i++)
+            {
+                if (Shadows[i].Cell is null) return false;
+            }
+
+            return true;
+        }
+    }
+
+    /// <summary>Lists the object in one more cell.</summary>
+    internal void AddShadow(uint cellId, ObjCell? cell)
+    {
+        if (ShadowCount == Shadows.Length) Array.Resize(ref Shadows, Math.Max(1, ShadowCount * 2));
+        Shadows[ShadowCount] = new ShadowObject { CellId = cellId, Cell = cell };
+        cell?.AddShadow(this, ShadowCount++);
+        if (cell is null) ShadowCount++;
+    }
+
+    /// <summary>Lists the object nowhere.</summary>
+    /// <remarks>Retail: CPhysicsObj::remove_shadows_from_cells @0x00511230.</remarks>
+    internal void ClearShadows()
+    {
+        for (int i = 0; i < ShadowCount; i++)
+        {
+            Shadows[i].Cell?.RemoveShadow(Shadows[i].Index);
+            Shadows[i].Cell = null;
+        }
+
+        ShadowCount = 0;
+    }
+}

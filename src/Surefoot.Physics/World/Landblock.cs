@@ -1,0 +1,69 @@
+namespace Surefoot.Physics.World;
+
+/// <summary>One loaded landblock: its ground, all its rooms, its buildings and its static objects. Loaded and unloaded as a whole.</summary>
+/// <remarks>Retail: CLandBlock.</remarks>
+public sealed class Landblock
+{
+    private readonly LandCell[] land = new LandCell[TerrainSurface.CellCount];
+    private readonly List<StaticObject> statics = [];
+    private readonly List<BuildingObject> buildings = [];
+    private EnvCell[] rooms = [];
+
+    internal Landblock(TerrainSurface terrain)
+    {
+        Terrain = terrain;
+        for (int i = 0; i < land.Length; i++) land[i] = new LandCell(this, i);
+    }
+
+    /// <summary>The block, 0xXXYY0000.</summary>
+    public uint Id => Terrain.BlockId;
+
+    /// <summary>The ground.</summary>
+    public TerrainSurface Terrain { get; }
+
+    /// <summary>The 64 squares of land, index 8·column + row.</summary>
+    public ReadOnlySpan<LandCell> LandCells => land;
+
+    /// <summary>The rooms; the first one has the index 0x100.</summary>
+    public ReadOnlySpan<EnvCell> Rooms => rooms;
+
+    /// <summary>Objects of the block, then its scenery, then the objects of its rooms.</summary>
+    public IReadOnlyList<StaticObject> StaticObjects => statics;
+
+    /// <summary>Buildings, also those that share a cell with an earlier one and are never asked.</summary>
+    public IReadOnlyList<BuildingObject> Buildings => buildings;
+
+    /// <summary>A cell of the block, null when it has none with this index.</summary>
+    internal ObjCell? Find(uint cellId)
+    {
+        uint index = cellId & 0xFFFF;
+        if (index >= CellIds.FirstIndoor) return index - CellIds.FirstIndoor < (uint)rooms.Length ? rooms[index - CellIds.FirstIndoor] : null;
+        return index - 1 < TerrainSurface.CellCount ? land[index - 1] : null;
+    }
+
+    /// <summary>The square of land of this block under a place given in its coordinates, null when the place is over another block.</summary>
+    internal LandCell? LandCellUnder(in Position place)
+    {
+        uint id = CellIds.LandblockRecord(Id);
+        var point = place.Frame.Origin;
+        return CellIds.AdjustToOutside(ref id, ref point) && CellIds.BlockOf(id) == Id ? land[CellIds.LandIndex(id)] : null;
+    }
+
+    internal void SetRooms(EnvCell[] cells) => rooms = cells;
+
+    /// <summary>Adds a building to the cell under its origin; the first building of a cell wins. False, and nothing added, over another block.</summary>
+    /// <remarks>Retail: CLandBlock::init_buildings @0x0052FD80, CSortCell::add_building @0x00534030.</remarks>
+    internal bool TryAddBuilding(BuildingObject building)
+    {
+        LandCell? cell = LandCellUnder(building.Shell.Position);
+        if (cell is null) return false;
+        buildings.Add(building);
+        cell.Building ??= building;
+        return true;
+    }
+
+    internal void AddStatic(StaticObject item) => statics.Add(item);
+
+    /// <summary>Every cell of the block: land by index, then rooms by id.</summary>
+    internal IEnumerable<ObjCell> Cells => land.Concat<ObjCell>(rooms);
+}

@@ -1,0 +1,85 @@
+using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Geometry;
+using Surefoot.Physics.Transitions;
+
+namespace Surefoot.Physics.World;
+
+/// <content>Which cells list an object.</content>
+public sealed partial class PhysicsWorld
+{
+    private readonly CellArray crossCells = new();
+    private readonly HashSet<WorldObject> waiting = [];
+
+    /// <inheritdoc/>
+    public void PlaceShadows(WorldObject item, CellArray cells)
+    {
+        ArgumentNullException.ThrowIfNull(item);
+        ArgumentNullException.ThrowIfNull(cells);
+        item.ClearShadows();
+        if ((item.State & PhysicsState.ParticleEmitter) != 0)
+        {
+            if (item.Cell is not null) item.AddShadow(item.Cell.Id, item.Cell);
+        }
+        else
+        {
+            for (int i = 0; i < cells.Count; i++) item.AddShadow(cells[i].Id, cells[i].Cell);
+        }
+
+        if (item is StaticObject) return;
+        if (item.IsCompletelyVisible) waiting.Remove(item);
+        else waiting.Add(item);
+    }
+
+    /// <inheritdoc/>
+    public void RemoveShadows(WorldObject item)
+    {
+        ArgumentNullException.ThrowIfNull(item);
+        item.ClearShadows();
+        waiting.Remove(item);
+    }
+
+    /// <inheritdoc/>
+    public bool AnyOverlaps(PhysicsBody body)
+    {
+        ArgumentNullException.ThrowIfNull(body);
+        for (int i = 0; i < body.ShadowCount; i++)
+        {
+            if (body.Shadows[i].Cell is not { } cell) continue;
+            for (int k = 0; k < cell.ShadowCount; k++)
+            {
+                WorldObject other = cell.ShadowAt(k);
+                if (!ReferenceEquals(other, body) && other is PhysicsBody { Parent: null } mover && mover.Overlaps(body)) return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <inheritdoc/>
+    public void CalcCrossCells(WorldObject item)
+    {
+        ArgumentNullException.ThrowIfNull(item);
+        crossCells.DoNotLoadCells = false;
+        ObjCell? none = null;
+        Sphere sphere = new(item.Position.Frame.Origin, 0);
+        FindCellList(crossCells, item.Position, [sphere], null, false, ref none);
+        PlaceShadows(item, crossCells);
+    }
+
+    /// <summary>Bodies that reach into a block that was just loaded are listed there; the order is that of their ids.</summary>
+    private void FillWaitingShadows(Landblock block)
+    {
+        foreach (WorldObject item in waiting.OrderBy(o => o.Id).ToArray())
+        {
+            for (int i = 0; i < item.ShadowCount; i++)
+            {
+                ref ShadowObject shadow = ref item.Shadows[i];
+                if (shadow.Cell is not null || CellIds.BlockOf(shadow.CellId) != block.Id || block.Find(shadow.CellId) is not { } cell) continue;
+                shadow.Cell = cell;
+                cell.AddShadow(item, i);
+            }
+
+            if (item.IsCompletelyVisible) waiting.Remove(item);
+        }
+    }
+}

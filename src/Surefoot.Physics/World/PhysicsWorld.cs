@@ -1,0 +1,128 @@
+using System.Numerics;
+using Surefoot.Physics.Geometry;
+using Surefoot.Physics.Transitions;
+
+namespace Surefoot.Physics.World;
+
+/// <summary>
+/// The landblocks that are loaded, and the cells in them. One thread at a time; worlds share nothing that is written. What is loaded does not
+/// depend on the order in which it was.
+/// </summary>
+/// <remarks>
+/// Retail loads rooms and landblocks as the player moves: the blocks within one of the player's, and the rooms that are seen from there. Here
+/// the caller decides what is loaded, all rooms of a block come with it, and nothing is ever loaded from inside a step.
+/// </remarks>
+public sealed partial class PhysicsWorld : ICellWorld
+{
+    private const int MapBlocks = 255;
+
+    private readonly Landblock?[]?[] columns = new Landblock?[]?[MapBlocks];
+    private readonly SortedDictionary<uint, Landblock> blocks = [];
+
+    /// <summary>Loaded blocks, ascending by id: column by column from the west, each from the south.</summary>
+    public IReadOnlyCollection<Landblock> Landblocks => blocks.Values;
+
+    /// <summary>Who may enter guarded cells; without it no player enters one.</summary>
+    public IMoveRestrictions? Restrictions { get; set; }
+
+    /// <summary>A block was loaded, 0xXXYY0000.</summary>
+    public event Action<uint>? LandblockLoaded;
+
+    /// <summary>A block is about to be unloaded, 0xXXYY0000; bodies in it should leave it.</summary>
+    public event Action<uint>? LandblockUnloading;
+
+    /// <summary>The loaded block of an id, or null.</summary>
+    public Landblock? FindLandblock(uint cellId)
+    {
+        uint column = cellId >> 24, row = (cellId >> 16) & 0xFF;
+        return column < MapBlocks && row < MapBlocks ? columns[column]?[row] : null;
+    }
+
+    /// <inheritdoc/>
+    /// <remarks>Retail: CObjCell::GetVisible @0x0052AD40.</remarks>
+    public ObjCell? GetVisible(uint cellId) => FindLandblock(cellId)?.Find(cellId);
+
+    /// <inheritdoc/>
+    public bool AdjustPosition(ref Position position, in Vector3 center, out ObjCell? cell)
+    {
+        cell = null;
+        if (!CellIds.HasValidIndex(position.CellId)) return false;
+        if (!CellIds.IsOutdoor(position.CellId))
+        {
+            if (GetVisible(position.CellId) is not EnvCell room) return false;
+            Vector3 point = position.LocalToGlobal(position, center);
+            cell = room.FindVisibleChildCell(this, point, searchVisible: true);
+            if (cell is not null)
+            {
+                position.CellId = cell.Id;
+                return true;
+            }
+
+            if (!room.SeenOutside) return false;
+        }
+
+        if (!position.AdjustToOutside()) return false;
+        cell = GetVisible(position.CellId);
+        return true;
+    }
+
+    /// <inheritdoc/>
+    public void FindCellList(CellArray array, SpherePath path, bool wantHome, ref ObjCell? home)
+    {
+        ArgumentNullException.ThrowIfNull(array);
+        ArgumentNullException.ThrowIfNull(path);
+        FindCellList(array, path.CheckPos, path.CheckSpheres, path, wantHome, ref home);
+    }
+
+    /// <summary>
+    /// Rebuilds a list around spheres: the owner's cell, or the squares of land under the spheres, and every cell they reach from there. The home is the first
+    /// room that contains the centre of sphere 0, else the last square of land that does.
+    /// </summary>
+    /// <remarks>Retail: CObjCell::find_cell_list @0x0052B4E0; specification 05, 4.15.</remarks>
+    internal void FindCellList(
+        CellArray array, in Position position, ReadOnlySpan<Sphere> spheres, SpherePath? path, bool wantHome, ref ObjCell? home)
+    {
+        array.Clear();
+        ObjCell? start = GetVisible(position.CellId);
+        bool indoors = !CellIds.IsOutdoor(position.CellId);
+        if (indoors)
+        {
+            if (path is not null) path.HitsInteriorCell = true;
+            array.Add(position.CellId, start);
+        }
+        else
+        {
+            OutdoorCells.AddAll(this, position, spheres, array);
+        }
+
+        if (start is null || spheres.IsEmpty) return;
+        for (int k = 0; k < array.Count; k++) array[k].Cell?.FindTransitCells(this, position, spheres, array, path);
+        if (wantHome) home = FindHome(array, position.CellId, spheres[0].Center, path);
+        if (array.DoNotLoadCells && indoors) DropCellsNotSeenFrom(start, array);
+    }
+
+    private static ObjCell? FindHome(CellArray array, uint cellId, in Vector3 center, SpherePath? path)
+    {
+        ObjCell? home = null;
+        for (int k = 0; k < array.Count; k++)
+        {
+            ObjCell? cell = array[k].Cell;
+            if (cell is null || !cell.PointInCell(center - CellIds.BlockOffset(cellId, cell.Id))) continue;
+            home = cell;
+            if (CellIds.IsOutdoor(cell.Id)) continue;
+            if (path is not null) path.HitsInteriorCell = true;
+            break;
+        }
+
+        return home;
+    }
+
+    private static void DropCellsNotSeenFrom(ObjCell start, CellArray array)
+    {
+        for (int k = 0; k < array.Count;)
+        {
+            if (array[k].Id == start.Id || start.StabList.Contains(array[k].Id)) k++;
+            else array.RemoveAt(k);
+        }
+    }
+}

@@ -1,0 +1,21 @@
+using Surefoot.Physics.Assets;
+using Surefoot.Physics.Bodies;
+
+namespace Surefoot.Physics.World;
+
+/// <summary>Something of the dat files that never moves: an object of a landblock or room, a piece of scenery, a building's shell.</summary>
+public sealed class StaticObject : WorldObject
+{
+    internal StaticObject(SetupAsset setup, in Position position, ulong order)
+        : base(0, setup, PhysicsState.Default | PhysicsState.Static)
+    {
+        PositionField = position;
+        Order = order;
+    }
+
+    /// <summary>
+    /// Place in the order in which statics are tested: land objects and scenery of all landblocks, column by column, then those of rooms. It does not
+    /// depend on the order of loading.
+    /// </summary>
+    internal ulong Order { get; }
+}
