@@ -17,7 +17,8 @@ public partial class WorldObject
     {
         Id = id;
         Setup = setup;
-        State = state;
+        // Computed when the parts are made, whatever the word says (specification 06, 2).
+        State = setup is { HasPhysicsBsp: true } ? state | PhysicsState.HasPhysicsBsp : state & ~PhysicsState.HasPhysicsBsp;
     }
 
     /// <summary>Object id.</summary>

@@ -10,10 +10,9 @@ public sealed class BuildingObject
 {
     private readonly BuildingPortal[] portals;
 
-    internal BuildingObject(StaticObject shell, BuildingPart? part, BuildingPortal[] portals)
+    internal BuildingObject(StaticObject shell, BuildingPortal[] portals)
     {
         Shell = shell;
-        Part = part;
         this.portals = portals;
     }
 
@@ -23,19 +22,16 @@ public sealed class BuildingObject
     /// <summary>Its ways in.</summary>
     public ReadOnlySpan<BuildingPortal> Portals => portals;
 
-    /// <summary>The only part that can be hit: the first; null when it has nothing to run into.</summary>
-    internal BuildingPart? Part { get; }
-
-    /// <summary>Tests the shell. A body that reaches into a room may have its centre inside the shell's solid.</summary>
+    /// <summary>Tests the first part of the shell, the only one that can be hit. A body that reaches into a room may have its centre inside the shell's solid.</summary>
     /// <remarks>Retail: CBuildingObj::find_building_collisions @0x006B5300.</remarks>
     internal TransitionState FindBuildingCollisions(Transition transition)
     {
-        if (Part is not { } part) return TransitionState.OK;
-        SpherePath path = transition.Path;
-        path.BuildingCheck = true;
-        path.CacheLocalSpaceSpheres(part.Position, part.Scale);
-        TransitionState state = part.Bsp.FindCollisions(transition, part.Scale);
-        path.BuildingCheck = false;
+        ReadOnlySpan<Frame> pose = Shell.PartPose;
+        if (Shell.Setup is not { Parts.Length: > 0 } setup || pose.IsEmpty) return TransitionState.OK;
+        SetupPart part = setup.Parts[0];
+        transition.Path.BuildingCheck = true;
+        TransitionState state = part.Mesh.FindCollisions(transition, SetupAsset.PlacePart(Shell.Position, pose[0], Shell.Scale), part.DefaultScale.Z);
+        transition.Path.BuildingCheck = false;
         if (state != TransitionState.OK && !transition.Object.Has(MoverFlags.Contact)) transition.Collision.CollidedWithEnvironment = true;
         return state;
     }
@@ -54,12 +50,6 @@ public sealed class BuildingObject
             world.GetVisible(portal.OtherCellId)?.CheckBuildingTransit(world, portal.OtherPortal, parts, array);
     }
 }
-
-/// <summary>The part of a building that can be hit.</summary>
-/// <param name="Bsp">Its tree.</param>
-/// <param name="Position">Where it is.</param>
-/// <param name="Scale">Its scale along z, the only one that counts.</param>
-internal sealed record BuildingPart(PhysicsBsp Bsp, Position Position, float Scale);
 
 /// <summary>A way into a building.</summary>
 /// <param name="OtherCellId">Full id of the room behind it.</param>

@@ -18,8 +18,7 @@ public sealed class EnvCell : ObjCell
         : base(content.Id)
     {
         position = new Position(content.Id, content.Frame);
-        Space = content.Space;
-        Walls = content.Walls;
+        Shape = content.Shape;
         portals = content.Portals;
         stabList = content.StabList;
         seenOutside = content.SeenOutside;
@@ -38,17 +37,14 @@ public sealed class EnvCell : ObjCell
     /// <summary>Its ways out.</summary>
     public ReadOnlySpan<PortalPlane> Portals => portals;
 
-    /// <summary>The space it contains, in its own frame.</summary>
-    public CellBsp Space { get; }
-
-    /// <summary>Its walls and floors, in its own frame; null when there is nothing to run into.</summary>
-    public PhysicsBsp? Walls { get; }
+    /// <summary>Its shape, in its own frame: the space it contains, its walls and floors. Shared.</summary>
+    public CellStructAsset Shape { get; }
 
     /// <summary>A sealed room, without any portal, contains nothing.</summary>
     /// <inheritdoc/>
     /// <remarks>Retail: CEnvCell::point_in_cell @0x0052C300.</remarks>
     internal override bool PointInCell(in Vector3 point) =>
-        portals.Length > 0 && Space.PointInside(position.Frame.GlobalToLocal(point));
+        portals.Length > 0 && Shape.Cell.PointInside(position.Frame.GlobalToLocal(point));
 
     /// <inheritdoc/>
     /// <remarks>Retail: CEnvCell::find_collisions @0x0052C100.</remarks>
@@ -64,11 +60,8 @@ public sealed class EnvCell : ObjCell
         TransitionState state = CheckEntryRestrictions(transition);
         if (state != TransitionState.OK) return state;
 
-        SpherePath path = transition.Path;
-        path.ObstructionEthereal = false;
-        if (Walls is null) return TransitionState.OK;
-        path.CacheLocalSpaceSpheres(position, 1f);
-        state = path.InsertType == InsertType.InitialPlacement ? Walls.PlacementInsert(transition) : Walls.FindCollisions(transition, 1f);
+        transition.Path.ObstructionEthereal = false;
+        state = Shape.FindCollisions(transition, position);
         if (state != TransitionState.OK && !transition.Object.Has(MoverFlags.Contact)) transition.Collision.CollidedWithEnvironment = true;
         return state;
     }
@@ -142,7 +135,7 @@ public sealed class EnvCell : ObjCell
                     break;
                 }
 
-                if (other.Space.BoxIntersects(part.BoxIn(other.position)))
+                if (other.Shape.Cell.BoxIntersects(part.BoxIn(other.position)))
                 {
                     array.Add(other.Id, other);
                     break;
@@ -173,7 +166,7 @@ public sealed class EnvCell : ObjCell
             if (!part.HasSphere || !MayEnter(way, part)) continue;
             BoundingBox box = part.BoxIn(position);
             PlaneSide where = PlaneQueries.IntersectBox(way.Plane, box);
-            if ((where != PlaneSide.Crossing && where != side) || !Space.BoxIntersects(box)) continue;
+            if ((where != PlaneSide.Crossing && where != side) || !Shape.Cell.BoxIntersects(box)) continue;
             array.Add(Id, this);
             FindTransitCells(world, parts, array);
             return;
@@ -185,7 +178,7 @@ public sealed class EnvCell : ObjCell
         foreach (ref readonly Sphere sphere in spheres)
         {
             Sphere local = new(position.Frame.GlobalToLocal(sphere.Center), sphere.Radius);
-            if (Space.SphereIntersects(local) != CellOverlap.Outside) return true;
+            if (Shape.Cell.SphereIntersects(local) != CellOverlap.Outside) return true;
         }
 
         return false;
@@ -245,9 +238,7 @@ internal sealed record EnvCellContent
 
     public required Frame Frame { get; init; }
 
-    public required CellBsp Space { get; init; }
-
-    public PhysicsBsp? Walls { get; init; }
+    public required CellStructAsset Shape { get; init; }
 
     public PortalPlane[] Portals { get; init; } = [];
 

@@ -51,15 +51,12 @@ public sealed class Landblock
 
     internal void SetRooms(EnvCell[] cells) => rooms = cells;
 
-    /// <summary>Adds a building to the cell under its origin; the first building of a cell wins. False, and nothing added, over another block.</summary>
+    /// <summary>Adds a building to the cell under its origin; the first building of a cell wins.</summary>
     /// <remarks>Retail: CLandBlock::init_buildings @0x0052FD80, CSortCell::add_building @0x00534030.</remarks>
-    internal bool TryAddBuilding(BuildingObject building)
+    internal void AddBuilding(LandCell cell, BuildingObject building)
     {
-        LandCell? cell = LandCellUnder(building.Shell.Position);
-        if (cell is null) return false;
         buildings.Add(building);
         cell.Building ??= building;
-        return true;
     }
 
     internal void AddStatic(StaticObject item) => statics.Add(item);

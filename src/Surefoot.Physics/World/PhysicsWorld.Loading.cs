@@ -1,8 +1,61 @@
+using Surefoot.Dats;
+using Surefoot.Physics.Assets;
+using Surefoot.Physics.Bodies;
+
 namespace Surefoot.Physics.World;
 
 /// <content>What is loaded.</content>
 public sealed partial class PhysicsWorld
 {
+    private readonly LandblockBuilder? builder;
+
+    /// <summary>A world of which nothing is loaded yet.</summary>
+    /// <param name="cache">Shapes and records; may be shared with other worlds.</param>
+    /// <param name="region">The region; read from the cache's source when not given. May be shared with other worlds.</param>
+    /// <exception cref="DatRecordMissingException">There is no region.</exception>
+    /// <exception cref="DatFormatException">The region is malformed.</exception>
+    public PhysicsWorld(PhysicsDataCache cache, RegionAsset? region = null)
+    {
+        ArgumentNullException.ThrowIfNull(cache);
+        Region = region ?? RegionAsset.Load(cache.Source);
+        builder = new LandblockBuilder(cache, Region);
+    }
+
+    /// <summary>A world without files, for grounds that are made up.</summary>
+    internal PhysicsWorld() => Region = new RegionAsset([]);
+
+    /// <summary>What all landblocks share.</summary>
+    public RegionAsset Region { get; }
+
+    /// <summary>Loads a block with all its rooms, buildings, objects and scenery.</summary>
+    /// <param name="blockId">Any id of the block.</param>
+    /// <returns>False when the files have no such block, or it is off the map.</returns>
+    /// <exception cref="DatRecordMissingException">A record that another one promises is missing; nothing was loaded.</exception>
+    /// <exception cref="DatFormatException">A record is malformed; nothing was loaded.</exception>
+    public bool LoadLandblock(uint blockId)
+    {
+        if (FindLandblock(blockId) is not null) return true;
+        if (builder?.Build(CellIds.BlockOf(blockId)) is not { } block) return false;
+        Add(block);
+        return true;
+    }
+
+    /// <summary>Loads the block of a position and those around it, as far as the files have them.</summary>
+    /// <param name="position">The place in the middle.</param>
+    /// <param name="radius">How many blocks on each side; 1 is what retail keeps.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The radius is negative.</exception>
+    /// <exception cref="DatRecordMissingException">A record that another one promises is missing; blocks before it were loaded.</exception>
+    /// <exception cref="DatFormatException">A record is malformed; blocks before it were loaded.</exception>
+    public void EnsureLoadedAround(in Position position, int radius)
+    {
+        ArgumentOutOfRangeException.ThrowIfNegative(radius);
+        int x = (int)(position.CellId >> 24), y = (int)((position.CellId >> 16) & 0xFF);
+        for (int i = Math.Max(x - radius, 0); i <= Math.Min(x + radius, MapBlocks - 1); i++)
+        {
+            for (int j = Math.Max(y - radius, 0); j <= Math.Min(y + radius, MapBlocks - 1); j++) LoadLandblock(((uint)i << 24) | ((uint)j << 16));
+        }
+    }
+
     /// <summary>Unloads a block. Bodies in it are told by <see cref="LandblockUnloading"/> before; those near by are no longer listed in it.</summary>
     /// <param name="blockId">Any id of the block.</param>
     /// <returns>False when it was not loaded.</returns>
@@ -10,12 +63,15 @@ public sealed partial class PhysicsWorld
     {
         if (FindLandblock(blockId) is not { } block) return false;
         LandblockUnloading?.Invoke(block.Id);
-        foreach (StaticObject item in block.StaticObjects) RemoveShadows(item);
+        foreach (StaticObject item in block.StaticObjects) item.ClearShadows();
+        HashSet<StaticObject> reachIn = [];
         foreach (ObjCell cell in block.Cells)
         {
             for (int i = 0; i < cell.ShadowCount; i++)
             {
-                if (cell.ShadowAt(i) is not StaticObject) waiting.Add(cell.ShadowAt(i));
+                WorldObject item = cell.ShadowAt(i);
+                if (item is StaticObject neighbour) reachIn.Add(neighbour);
+                else waiting.Add(item);
             }
 
             cell.ReleaseShadows();
@@ -23,6 +79,7 @@ public sealed partial class PhysicsWorld
 
         columns[block.Id >> 24]![(block.Id >> 16) & 0xFF] = null;
         blocks.Remove(block.Id);
+        foreach (StaticObject item in reachIn) CalcCrossCellsStatic(item);
         return true;
     }
 
@@ -31,6 +88,15 @@ public sealed partial class PhysicsWorld
     {
         Landblock?[] column = columns[block.Id >> 24] ??= new Landblock?[MapBlocks];
         column[(block.Id >> 16) & 0xFF] = block;
+        foreach (StaticObject item in block.StaticObjects) CalcCrossCellsStatic(item);
+        foreach (Landblock other in blocks.Values)
+        {
+            foreach (StaticObject item in other.StaticObjects)
+            {
+                if (!item.IsCompletelyVisible) CalcCrossCellsStatic(item);
+            }
+        }
+
         blocks.Add(block.Id, block);
         FillWaitingShadows(block);
         LandblockLoaded?.Invoke(block.Id);

@@ -1,5 +1,4 @@
 using Surefoot.Physics.Bodies;
-using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Transitions;
 
 namespace Surefoot.Physics.World;
@@ -7,8 +6,10 @@ namespace Surefoot.Physics.World;
 /// <content>Which cells list an object.</content>
 public sealed partial class PhysicsWorld
 {
-    private readonly CellArray crossCells = new();
     private readonly HashSet<WorldObject> waiting = [];
+    private CrossCells? crossCells;
+
+    private CrossCells CrossCells => crossCells ??= new CrossCells(this);
 
     /// <inheritdoc/>
     public void PlaceShadows(WorldObject item, CellArray cells)
@@ -59,11 +60,14 @@ public sealed partial class PhysicsWorld
     public void CalcCrossCells(WorldObject item)
     {
         ArgumentNullException.ThrowIfNull(item);
-        crossCells.DoNotLoadCells = false;
-        ObjCell? none = null;
-        Sphere sphere = new(item.Position.Frame.Origin, 0);
-        FindCellList(crossCells, item.Position, [sphere], null, false, ref none);
-        PlaceShadows(item, crossCells);
+        CrossCells.Find(item);
+        PlaceShadows(item, CrossCells.Cells);
+    }
+
+    private void CalcCrossCellsStatic(StaticObject item)
+    {
+        CrossCells.FindStatic(item);
+        PlaceShadows(item, CrossCells.Cells);
     }
 
     /// <summary>Bodies that reach into a block that was just loaded are listed there; the order is that of their ids.</summary>

@@ -6,11 +6,12 @@ namespace Surefoot.Physics.World;
 /// <summary>Something of the dat files that never moves: an object of a landblock or room, a piece of scenery, a building's shell.</summary>
 public sealed class StaticObject : WorldObject
 {
-    internal StaticObject(SetupAsset setup, in Position position, ulong order)
+    internal StaticObject(SetupAsset setup, in Position position, ulong order, ObjCell cell, float scale)
         : base(0, setup, PhysicsState.Default | PhysicsState.Static)
     {
-        PositionField = position;
+        Scale = scale;
         Order = order;
+        SeatAt(position, cell);
     }
 
     /// <summary>
