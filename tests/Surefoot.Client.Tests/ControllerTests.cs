@@ -9,7 +9,7 @@ public class ControllerTests
 {
     [Fact]
     [Behaviour("controller.forward.runs-by-default", "spec/01, 4.15")]
-    public void ForwardRunsAndWalkWalks()
+    public void Forward_runs_and_walk_walks()
     {
         KeyFixture f = new();
         f.Press(MovementKeys.Forward);
@@ -24,7 +24,7 @@ public class ControllerTests
 
     [Fact]
     [Behaviour("controller.forward.walk-as-default", "spec/01, 4.15")]
-    public void WithWalkingAsTheDefaultTheWalkKeyRuns()
+    public void With_walking_as_the_default_the_walk_key_runs()
     {
         KeyFixture f = new() { Controller = { RunAsDefault = false } };
         f.Press(MovementKeys.Forward);
@@ -35,7 +35,7 @@ public class ControllerTests
 
     [Fact]
     [Behaviour("controller.sends.move-to-state", "spec/08, 5.3 and 5.6")]
-    public void AMoveToStateHasTheHoldKeyAndForwardSpeedOne()
+    public void A_move_to_state_has_the_hold_key_and_forward_speed_one()
     {
         KeyFixture f = new();
         f.Press(MovementKeys.Forward, 30);
@@ -53,7 +53,7 @@ public class ControllerTests
 
     [Fact]
     [Behaviour("controller.sends.hold-key-only-while-moving", "spec/08, 5.6")]
-    public void TheWalkKeyIsToldOnlyWhileMoving()
+    public void The_walk_key_is_told_only_while_moving()
     {
         KeyFixture f = new();
         f.Press(MovementKeys.Forward);
@@ -69,7 +69,7 @@ public class ControllerTests
 
     [Fact]
     [Behaviour("controller.keys.newest-acts-and-falls-back", "spec/01, 4.15")]
-    public void TheNewestKeyActsAndLettingItGoFallsBack()
+    public void The_newest_key_acts_and_letting_it_go_falls_back()
     {
         KeyFixture f = new();
         f.Press(MovementKeys.Forward);
@@ -95,7 +95,7 @@ public class ControllerTests
 
     [Fact]
     [Behaviour("controller.keys.sidestep", "spec/01, 4.2 and 4.15")]
-    public void SidestepsAreCappedAndSigned()
+    public void Sidesteps_are_capped_and_signed()
     {
         KeyFixture f = new();
         f.Press(MovementKeys.SidestepLeft);
@@ -109,7 +109,7 @@ public class ControllerTests
 
     [Fact]
     [Behaviour("controller.keys.hold-sidestep", "spec/01, 4.15")]
-    public void HoldingSidestepMakesSidestepsOfTurns()
+    public void Holding_sidestep_makes_sidesteps_of_turns()
     {
         KeyFixture f = new();
         f.Press(MovementKeys.TurnLeft);
@@ -126,7 +126,7 @@ public class ControllerTests
 
     [Fact]
     [Behaviour("controller.autorun", "spec/01, 4.15")]
-    public void AutorunRunsUntilAKeyForAheadOrBack()
+    public void Autorun_runs_until_a_key_for_ahead_or_back()
     {
         KeyFixture f = new();
         f.Controller.SetAutoRun(true, f.Now);
@@ -145,7 +145,7 @@ public class ControllerTests
 
     [Fact]
     [Behaviour("controller.jump.charges-in-one-second", "spec/01, 4.12; ClientCombatSystem::GetPowerBarLevel @0x0056ADE0")]
-    public void AJumpChargesInASecondAndStaysFull()
+    public void A_jump_charges_in_a_second_and_stays_full()
     {
         KeyFixture f = new();
         f.Press(MovementKeys.Jump);
@@ -162,7 +162,7 @@ public class ControllerTests
 
     [Fact]
     [Behaviour("controller.jump.release-jumps", "spec/01, 4.12 and 6; ClientCombatSystem::DoJump @0x0056B110")]
-    public void LettingGoJumpsAndTellsExtentAndVelocity()
+    public void Letting_go_jumps_and_tells_extent_and_velocity()
     {
         KeyFixture f = new();
         f.Press(MovementKeys.Forward);
@@ -178,7 +178,7 @@ public class ControllerTests
 
     [Fact]
     [Behaviour("controller.jump.tap-is-the-least", "spec/01, 4.12")]
-    public void ATapJumpsTheLeast()
+    public void A_tap_jumps_the_least()
     {
         KeyFixture f = new();
         f.Press(MovementKeys.Jump);
@@ -189,7 +189,7 @@ public class ControllerTests
 
     [Fact]
     [Behaviour("controller.jump.standing-long-jump", "spec/01, 4.12")]
-    public void AStandingLongJumpStandsUntilItGoesWhereTheKeysPoint()
+    public void A_standing_long_jump_stands_until_it_goes_where_the_keys_point()
     {
         KeyFixture f = new();
         f.Press(MovementKeys.Jump);
@@ -204,7 +204,7 @@ public class ControllerTests
 
     [Fact]
     [Behaviour("controller.jump.refused-in-the-air-but-charged", "spec/01, 4.12")]
-    public void InTheAirAJumpIsChargedAndRefusedOnlyWhenItComes()
+    public void In_the_air_a_jump_is_charged_and_refused_only_when_it_comes()
     {
         KeyFixture f = new();
         f.SetOnWalkable(false);
@@ -222,7 +222,7 @@ public class ControllerTests
 
     [Fact]
     [Behaviour("controller.jump.refused-when-overloaded", "spec/01, 4.12")]
-    public void TheOverloadedDoNotEvenCharge()
+    public void The_overloaded_do_not_even_charge()
     {
         KeyFixture f = new(new PlayerWeenie(new CharacterStats(300, 300, Burden: 30000)));
         f.Press(MovementKeys.Jump, 10);
@@ -234,7 +234,7 @@ public class ControllerTests
 
     [Fact]
     [Behaviour("controller.sends.position-each-second-of-movement", "spec/08, 5.6")]
-    public void APositionIsToldAfterASecondAndOnlyWhenItChanged()
+    public void A_position_is_told_after_a_second_and_only_when_it_changed()
     {
         KeyFixture f = new();
         Assert.Single(f.Sent.Positions);
@@ -253,7 +253,7 @@ public class ControllerTests
 
     [Fact]
     [Behaviour("controller.sends.position-at-once-on-a-new-cell-or-plane", "spec/08, 5.6")]
-    public void ANewCellOrPlaneIsToldAtOnceAndNothingFromTheAir()
+    public void A_new_cell_or_plane_is_told_at_once_and_nothing_from_the_air()
     {
         KeyFixture f = new();
         f.Position = new Position(0xA9B40002, new Vector3(12, 25, 0));
@@ -274,7 +274,7 @@ public class ControllerTests
 
     [Fact]
     [Behaviour("controller.sends.move-to-state-delays-the-position", "spec/08, 5.6")]
-    public void AMoveToStateCountsAsAPositionInTime()
+    public void A_move_to_state_counts_as_a_position_in_time()
     {
         KeyFixture f = new();
         f.Press(MovementKeys.None, 20);
@@ -287,7 +287,7 @@ public class ControllerTests
 
     [Fact]
     [Behaviour("controller.server.takes-over-until-its-motion-is-done", "spec/08, 4.3 and 5.6; spec/01, 4.14")]
-    public void AServersOrderTakesOverAndHeldKeysComeBack()
+    public void A_servers_order_takes_over_and_held_keys_come_back()
     {
         KeyFixture f = new();
         f.Controller.SetAutoRun(true, f.Now);
@@ -306,7 +306,7 @@ public class ControllerTests
 
     [Fact]
     [Behaviour("controller.server.key-up-only-updates-the-lists", "spec/08, 5.6")]
-    public void LettingAKeyGoWhileTheServerMovesChangesNothing()
+    public void Letting_a_key_go_while_the_server_moves_changes_nothing()
     {
         KeyFixture f = new();
         f.Press(MovementKeys.Forward, 5);
@@ -322,7 +322,7 @@ public class ControllerTests
 
     [Fact]
     [Behaviour("controller.server.echo-is-ignored-but-its-run-rate", "spec/08, 4.3; spec/01, 4.5")]
-    public void AnEchoChangesNothingButTheRunRate()
+    public void An_echo_changes_nothing_but_the_run_rate()
     {
         KeyFixture f = new(new PlayerWeenie(new CharacterStats(300, 300), RunRateSource.Server));
         f.Press(MovementKeys.Forward);
@@ -338,7 +338,7 @@ public class ControllerTests
 
     [Fact]
     [Behaviour("controller.focus-lost-stops", "spec/08, 5.6")]
-    public void LosingTheFocusStopsAndTellsIt()
+    public void Losing_the_focus_stops_and_tells_it()
     {
         KeyFixture f = new();
         f.Press(MovementKeys.Forward | MovementKeys.TurnLeft | MovementKeys.Jump, 5);
@@ -351,7 +351,7 @@ public class ControllerTests
 
     [Fact]
     [Behaviour("controller.bad-input-changes-nothing", "design, decision 7")]
-    public void ATimeThatIsNoNumberIsRefusedAndChangesNothing()
+    public void A_time_that_is_no_number_is_refused_and_changes_nothing()
     {
         KeyFixture f = new();
         Assert.Throws<ArgumentException>(() => f.Controller.Update(MovementKeys.Forward, double.NaN));
@@ -364,8 +364,20 @@ public class ControllerTests
     }
 
     [Fact]
+    [Behaviour("controller.allocates-nothing-while-keys-are-held", "design, decision 4")]
+    public void Holding_keys_allocates_nothing()
+    {
+        KeyFixture f = new();
+        const MovementKeys keys = MovementKeys.Forward | MovementKeys.TurnRight | MovementKeys.SidestepLeft | MovementKeys.Jump;
+        f.Press(keys, 200);
+        long before = GC.GetAllocatedBytesForCurrentThread();
+        f.Press(keys, 300);
+        Assert.Equal(0, GC.GetAllocatedBytesForCurrentThread() - before);
+    }
+
+    [Fact]
     [Behaviour("controller.keys.state-follows-held-keys", "spec/01, 4.15")]
-    public void WhateverWasPressedBeforeLettingEverythingGoStands()
+    public void Whatever_was_pressed_before_letting_everything_go_stands()
     {
         Gen.Int[0, 0x1FF].Select(k => (MovementKeys)k & ~MovementKeys.Jump).List[1, 40].Sample(presses =>
         {

@@ -14,7 +14,7 @@ public class LoopbackServerTests
 
     [Fact]
     [Behaviour("loopback.interprets-like-a-server", "spec/08, section 8")]
-    public void ARawStateIsNormalisedWithTheServersRunRate()
+    public void A_raw_state_is_normalised_with_the_servers_run_rate()
     {
         InterpretedMotionState run = LoopbackServer.Interpret(Raw(r => r.ForwardCommand = MotionCommand.WalkForward), 2.65f, false);
         Assert.Equal((MotionCommand.RunForward, 2.65f), (run.ForwardCommand, run.ForwardSpeed));
@@ -31,7 +31,7 @@ public class LoopbackServerTests
 
     [Fact]
     [Behaviour("loopback.old-rate-until-the-answer", "issue 3, item 5")]
-    public void UntilTheAnswerArrivesThePlayerKeepsTheOldRate()
+    public void Until_the_answer_arrives_the_player_keeps_the_old_rate()
     {
         KeyFixture f = new(new PlayerWeenie(new CharacterStats(0, 0), RunRateSource.Server));
         LoopbackServer server = new(new CharacterStats(0, 0), f.Now);
@@ -57,7 +57,7 @@ public class LoopbackServerTests
 
     [Fact]
     [Behaviour("loopback.update-motion-alone-carries-the-rate", "issue 3, item 5; spec/01, 4.5")]
-    public void TheForwardSpeedOfTheAnswerIsAdopted()
+    public void The_forward_speed_of_the_answer_is_adopted()
     {
         KeyFixture f = new(new PlayerWeenie(new CharacterStats(0, 0), RunRateSource.Server));
         f.Press(MovementKeys.Forward);
@@ -70,7 +70,7 @@ public class LoopbackServerTests
 
     [Fact]
     [Behaviour("loopback.burden-slows", "spec/01, 4.1 and 6")]
-    public void BurdenSlowsTheServersRate()
+    public void Burden_slows_the_servers_rate()
     {
         LoopbackServer server = new(new CharacterStats(300, 300, Burden: 22500), 0);
         Assert.Equal(1.82500005f, server.RunRate);
@@ -78,7 +78,7 @@ public class LoopbackServerTests
 
     [Fact]
     [Behaviour("loopback.messages-in-order", "issue 3, item 5")]
-    public void MessagesArriveInOrderAndNoneTooEarly() =>
+    public void Messages_arrive_in_order_and_none_too_early() =>
         Gen.Select(Gen.Int[0, 900], Gen.Double[0, 0.3]).List[1, 30].Sample(changes =>
         {
             LoopbackServer server = new(new CharacterStats(0, 0), 0);
@@ -98,7 +98,7 @@ public class LoopbackServerTests
 
     [Fact]
     [Behaviour("loopback.bad-input", "design, decision 7")]
-    public void BadNumbersAreRefused()
+    public void Bad_numbers_are_refused()
     {
         LoopbackServer server = new(new CharacterStats(100, 100), 0);
         Assert.Throws<ArgumentOutOfRangeException>(() => server.SetStats(new CharacterStats(-1, 0), 0));

@@ -4,7 +4,7 @@ namespace Surefoot.Physics.Motion;
 internal sealed class RingQueue<T>
     where T : struct
 {
-    private T[] items = new T[8];
+    private T[] items = [];
     private int head;
 
     /// <summary>Number of items.</summary>
@@ -42,7 +42,7 @@ internal sealed class RingQueue<T>
 
     private void Grow()
     {
-        T[] larger = new T[items.Length * 2];
+        T[] larger = new T[Math.Max(8, items.Length * 2)];
         for (int i = 0; i < Count; i++) larger[i] = this[i];
         items = larger;
         head = 0;

@@ -20,14 +20,14 @@ public class FormulaTests
     [InlineData(1.5f, 300, 1.82500005f)]
     [InlineData(1.99f, 300, 1.0165f)]
     [InlineData(2.5f, 300, 1f)]
-    public void RunRate(float load, int skill, float expected) => Assert.Equal(expected, MovementFormulas.RunRate(load, skill));
+    public void The_run_rate_follows_skill_and_load(float load, int skill, float expected) => Assert.Equal(expected, MovementFormulas.RunRate(load, skill));
 
     [Theory]
     [Behaviour("motion.run-rate.equality-rule-is-an-option", "spec/01, 4.1 and 6")]
     [InlineData(799, 3.19944954f)]
     [InlineData(800, 4.5f)]
     [InlineData(1200, 3.35714293f)]
-    public void RunRateOfTheClient(int skill, float expected) =>
+    public void The_clients_own_rule_knows_only_exactly_800(int skill, float expected) =>
         Assert.Equal(expected, MovementFormulas.RunRate(0, skill, TopSpeedRule.ExactlyEightHundred));
 
     [Theory]
@@ -43,7 +43,7 @@ public class FormulaTests
     [InlineData(0f, 1000, 1f, 9.70217425f, 13.7899466f)]
     [InlineData(1.5f, 300, 1f, 2.10625007f, 6.4251461f)]
     [InlineData(2f, 300, 1f, 0.349999994f, 2.61916018f)]
-    public void JumpHeight(float load, int skill, float power, float height, float velocity)
+    public void Jump_height_and_speed_follow_skill_load_and_charge(float load, int skill, float power, float height, float velocity)
     {
         Assert.Equal(height, MovementFormulas.JumpHeight(load, skill, power));
         Assert.Equal(velocity, MovementFormulas.JumpVelocity(height));
@@ -58,7 +58,7 @@ public class FormulaTests
     [InlineData(1f, 1.99f, false, 22)]
     [InlineData(0.5f, 0f, true, 150)]
     [InlineData(1f, 0f, true, 200)]
-    public void JumpStaminaCost(float power, float load, bool pk, int expected) =>
+    public void A_jump_costs_stamina_by_charge_and_load(float power, float load, bool pk, int expected) =>
         Assert.Equal(expected, MovementFormulas.JumpStaminaCost(power, load, pk));
 
     [Theory]
@@ -69,12 +69,12 @@ public class FormulaTests
     [InlineData(100, -3, 15000)]
     [InlineData(0, 5, 0)]
     [InlineData(-5, 5, 0)]
-    public void Capacity(int strength, int augmentations, int expected) =>
+    public void Capacity_follows_strength_and_augmentations(int strength, int augmentations, int expected) =>
         Assert.Equal(expected, MovementFormulas.Capacity(strength, augmentations));
 
     [Fact]
     [Behaviour("motion.load.three-without-capacity", "spec/01, 4.1; EncumbranceSystem::Load @0x004FCC40")]
-    public void Load()
+    public void Load_is_burden_by_capacity_and_three_without_one()
     {
         Assert.Equal(3f, MovementFormulas.Load(0, 10));
         Assert.Equal(0f, MovementFormulas.Load(15000, -1));
@@ -83,7 +83,7 @@ public class FormulaTests
 
     [Fact]
     [Behaviour("motion.run-rate.skill-counts-as-zero-without-stamina", "spec/01, 4.1; CACQualities::InqRunRate @0x00592800")]
-    public void ExhaustedPlayersRunAndJumpAsTheUnskilled()
+    public void Exhausted_players_run_and_jump_as_the_unskilled()
     {
         PlayerWeenie weenie = new(new CharacterStats(300, 300, Stamina: 0));
         Assert.True(weenie.InqRunRate(out float rate));
@@ -94,7 +94,7 @@ public class FormulaTests
 
     [Fact]
     [Behaviour("motion.run-rate.grows-with-skill-and-falls-with-load", "spec/01, 4.1")]
-    public void MoreSkillIsNeverSlowerAndMoreLoadNeverFaster() =>
+    public void More_skill_is_never_slower_and_more_load_never_faster() =>
         Gen.Select(Gen.Int[0, 1000], Gen.Int[0, 1000], Gen.Float[0, 3], Gen.Float[0, 3]).Sample((a, b, l, m) =>
         {
             float low = MovementFormulas.RunRate(l, Math.Min(a, b)), high = MovementFormulas.RunRate(l, Math.Max(a, b));
@@ -104,7 +104,7 @@ public class FormulaTests
 
     [Fact]
     [Behaviour("motion.jump.longer-charge-never-lower", "spec/01, 4.1")]
-    public void ALongerChargeIsNeverLowerAndNeverBelowTheMinimum() =>
+    public void A_longer_charge_is_never_lower_and_never_below_the_minimum() =>
         Gen.Select(Gen.Int[0, 2000], Gen.Float[0, 3], Gen.Float[0, 1], Gen.Float[0, 1]).Sample((skill, load, p, q) =>
         {
             float low = MovementFormulas.JumpHeight(load, skill, Math.Min(p, q)), high = MovementFormulas.JumpHeight(load, skill, Math.Max(p, q));

@@ -16,7 +16,7 @@ public class InterpreterTests
     [InlineData(MotionCommand.TurnRight, MotionCommand.TurnRight, 1.5f)]
     [InlineData(MotionCommand.SideStepLeft, MotionCommand.SideStepRight, -3f)]
     [InlineData(MotionCommand.RunForward, MotionCommand.RunForward, 1f)]
-    public void WithTheRunKey(MotionCommand motion, MotionCommand expected, float expectedSpeed) => AssertAdjusted(motion, HoldKey.Run, expected, expectedSpeed);
+    public void Commands_are_normalised_with_the_run_key(MotionCommand motion, MotionCommand expected, float expectedSpeed) => AssertAdjusted(motion, HoldKey.Run, expected, expectedSpeed);
 
     [Theory]
     [Behaviour("motion.adjust.normalises-without-run", "spec/01, 4.2 and 6")]
@@ -25,7 +25,7 @@ public class InterpreterTests
     [InlineData(MotionCommand.TurnLeft, MotionCommand.TurnRight, -1f)]
     [InlineData(MotionCommand.SideStepLeft, MotionCommand.SideStepRight, -1.24799991f)]
     [InlineData(MotionCommand.Crouch, MotionCommand.Crouch, 1f)]
-    public void WithoutTheRunKey(MotionCommand motion, MotionCommand expected, float expectedSpeed) => AssertAdjusted(motion, HoldKey.None, expected, expectedSpeed);
+    public void Commands_are_normalised_without_the_run_key(MotionCommand motion, MotionCommand expected, float expectedSpeed) => AssertAdjusted(motion, HoldKey.None, expected, expectedSpeed);
 
     private static void AssertAdjusted(MotionCommand motion, HoldKey key, MotionCommand expected, float expectedSpeed)
     {
@@ -38,7 +38,7 @@ public class InterpreterTests
 
     [Fact]
     [Behaviour("motion.adjust.leaves-what-is-no-creature", "spec/01, 4.2")]
-    public void WhatIsNoCreatureIsLeftAlone()
+    public void What_is_no_creature_is_left_alone()
     {
         MotionInterpreter interpreter = new(null, new FakeBody(), new OtherWeenie(isCreature: false));
         (MotionCommand motion, float speed) = (MotionCommand.TurnLeft, 1f);
@@ -48,7 +48,7 @@ public class InterpreterTests
 
     [Fact]
     [Behaviour("motion.run-rate.own-then-told-then-one", "spec/01, 4.3; CMotionInterp::apply_run_to_command @0x00527BE0")]
-    public void TheRunRateComesFromTheWeenieElseFromTheServerElseIsOne()
+    public void The_run_rate_comes_from_the_weenie_else_from_the_server_else_is_one()
     {
         (_, MotionInterpreter other) = FakeBody.Standing(new OtherWeenie());
         InterpretedMotionState state = new() { ForwardCommand = MotionCommand.RunForward, ForwardSpeed = 2.5f };
@@ -70,7 +70,7 @@ public class InterpreterTests
 
     [Fact]
     [Behaviour("motion.state-velocity.limited-to-running-speed", "spec/01, 4.11 and 6; CMotionInterp::get_state_velocity @0x00527D50")]
-    public void TheVelocityOfAStateIsLimitedToTheRunningSpeed()
+    public void The_velocity_of_a_state_is_limited_to_the_running_speed()
     {
         (_, MotionInterpreter interpreter) = FakeBody.Standing(FakeBody.Player());
         interpreter.SetHoldRun(true, false);
@@ -85,7 +85,7 @@ public class InterpreterTests
 
     [Fact]
     [Behaviour("motion.state-velocity.walking", "spec/01, 4.11")]
-    public void WalkingIsThreePointOneTwo()
+    public void Walking_is_three_point_one_two()
     {
         (_, MotionInterpreter interpreter) = FakeBody.Standing(FakeBody.Player());
         interpreter.DoMotion(MotionCommand.WalkForward, Defaults);
@@ -96,7 +96,7 @@ public class InterpreterTests
 
     [Fact]
     [Behaviour("motion.hold-key.switches-between-walking-and-running", "spec/01, 4.9; CMotionInterp::set_hold_run @0x00528B70")]
-    public void TheHoldKeyTurnsWalkingIntoRunningAtOnce()
+    public void The_hold_key_turns_walking_into_running_at_once()
     {
         (_, MotionInterpreter interpreter) = FakeBody.Standing(FakeBody.Player());
         interpreter.DoMotion(MotionCommand.WalkForward, Defaults);
@@ -116,7 +116,7 @@ public class InterpreterTests
 
     [Fact]
     [Behaviour("motion.permission.ground-needed", "spec/01, 4.6; CMotionInterp::contact_allows_move @0x00528240")]
-    public void WithoutGroundOnlyTurningFallingAndDyingAreAllowed()
+    public void Without_ground_only_turning_falling_and_dying_are_allowed()
     {
         FakeBody body = new() { OnWalkable = false };
         MotionInterpreter interpreter = new(null, body, FakeBody.Player());
@@ -139,7 +139,7 @@ public class InterpreterTests
 
     [Fact]
     [Behaviour("motion.do.in-the-air-is-remembered", "spec/01, 4.7; CMotionInterp::DoInterpretedMotion @0x00528360")]
-    public void InTheAirAMotionIsRememberedAndAnActionRefused()
+    public void In_the_air_a_motion_is_remembered_and_an_action_refused()
     {
         (FakeBody body, MotionInterpreter interpreter) = FakeBody.Standing(FakeBody.Player());
         body.SetOnWalkable(false);
@@ -158,7 +158,7 @@ public class InterpreterTests
 
     [Fact]
     [Behaviour("motion.do.refusals", "spec/01, 4.8; CMotionInterp::DoMotion @0x00528D20")]
-    public void MotionsAreRefusedWithTheirReason()
+    public void Motions_are_refused_with_their_reason()
     {
         Assert.Equal(MotionError.NoBody, new MotionInterpreter(null).DoMotion(MotionCommand.WalkForward, Defaults));
         Assert.Equal(MotionError.NoBody, new MotionInterpreter(null).StopMotion(MotionCommand.WalkForward, Defaults));
@@ -183,7 +183,7 @@ public class InterpreterTests
     [InlineData(0x41000013u, 0x40u)]
     [InlineData(0x41000014u, 0x41u)]
     [InlineData(0x1200007Du, 0x42u)]
-    public void InCombatPosesAndEmotesAreRefused(uint motion, uint error)
+    public void In_combat_poses_and_emotes_are_refused(uint motion, uint error)
     {
         (_, MotionInterpreter interpreter) = FakeBody.Standing(FakeBody.Player());
         interpreter.Interpreted.CurrentStyle = MotionCommand.DualWieldCombat;
@@ -192,7 +192,7 @@ public class InterpreterTests
 
     [Fact]
     [Behaviour("motion.do.bad-speed-changes-nothing", "design, decision 7")]
-    public void ASpeedThatIsNoNumberIsRefusedAndChangesNothing()
+    public void A_speed_that_is_no_number_is_refused_and_changes_nothing()
     {
         (_, MotionInterpreter interpreter) = FakeBody.Standing(FakeBody.Player());
         MovementParameters p = new() { Speed = float.NaN };
@@ -207,7 +207,7 @@ public class InterpreterTests
 
     [Fact]
     [Behaviour("motion.queue.head-is-done-first", "spec/01, 4.10; CMotionInterp::MotionDone @0x00527EC0")]
-    public void MotionsAreDoneInOrderAndAnActionLeavesBothStates()
+    public void Motions_are_done_in_order_and_an_action_leaves_both_states()
     {
         (_, MotionInterpreter interpreter) = FakeBody.Standing(FakeBody.Player(), HumanoidTable.Create(links: true));
         interpreter.DoMotion(MotionCommand.TurnRight, Defaults);
@@ -225,7 +225,7 @@ public class InterpreterTests
 
     [Fact]
     [Behaviour("motion.stop-completely", "spec/01, 4.8; CMotionInterp::StopCompletely @0x00527E40")]
-    public void StoppingCompletelyClearsBothStates()
+    public void Stopping_completely_clears_both_states()
     {
         (_, MotionInterpreter interpreter) = FakeBody.Standing(FakeBody.Player());
         interpreter.SetHoldRun(true, false);
@@ -252,11 +252,11 @@ public class InterpreterTests
     [InlineData(0, 0x7FFF, false)]
     [InlineData(0, 0x3FFF, true)]
     [InlineData(0, 0x4000, false)]
-    public void Stamps(int own, int other, bool newer) => Assert.Equal(newer, MotionInterpreter.IsNewerStamp(own, other));
+    public void Action_stamps_wrap_around(int own, int other, bool newer) => Assert.Equal(newer, MotionInterpreter.IsNewerStamp(own, other));
 
     [Fact]
     [Behaviour("motion.server.state-is-done", "spec/01, 4.14; CMotionInterp::move_to_interpreted_state @0x005289C0")]
-    public void AServersStateIsDoneWithItsNewActions()
+    public void A_servers_state_is_done_with_its_new_actions()
     {
         (FakeBody body, MotionInterpreter interpreter) = FakeBody.Standing(FakeBody.Player(), HumanoidTable.Create(links: true));
         body.LastMoveWasAutonomous = false;

@@ -9,7 +9,7 @@ public class JumpTests
 
     [Fact]
     [Behaviour("motion.jump.standing-velocity", "spec/01, 4.12 and 6; CMotionInterp::get_leave_ground_velocity @0x005280C0")]
-    public void AStandingJumpGoesStraightUp()
+    public void A_standing_jump_goes_straight_up()
     {
         (FakeBody body, MotionInterpreter interpreter) = FakeBody.Standing(FakeBody.Player());
         Assert.Equal(MotionError.None, interpreter.Jump(1f));
@@ -21,7 +21,7 @@ public class JumpTests
 
     [Fact]
     [Behaviour("motion.jump.running-velocity", "spec/01, 4.12 and 6")]
-    public void ARunningJumpKeepsTheRunningSpeed()
+    public void A_running_jump_keeps_the_running_speed()
     {
         (FakeBody body, MotionInterpreter interpreter) = FakeBody.Standing(FakeBody.Player());
         interpreter.SetHoldRun(true, false);
@@ -32,7 +32,7 @@ public class JumpTests
 
     [Fact]
     [Behaviour("motion.leave-ground.keeps-what-the-body-has", "spec/01, 4.12; CMotionInterp::LeaveGround @0x00528B00")]
-    public void StandingOffAnEdgeKeepsTheBodysOwnVelocity()
+    public void Standing_off_an_edge_keeps_the_bodys_own_velocity()
     {
         (FakeBody body, _) = FakeBody.Standing(FakeBody.Player());
         body.LocalVelocity = new Vector3(1, 2, 3);
@@ -42,7 +42,7 @@ public class JumpTests
 
     [Fact]
     [Behaviour("motion.leave-ground.walker-takes-its-speed-along", "spec/01, 4.12")]
-    public void WalkingOffAnEdgeTakesTheWalkingSpeedAlong()
+    public void Walking_off_an_edge_takes_the_walking_speed_along()
     {
         (FakeBody body, MotionInterpreter interpreter) = FakeBody.Standing(FakeBody.Player());
         interpreter.DoMotion(MotionCommand.WalkForward, Defaults);
@@ -52,7 +52,7 @@ public class JumpTests
 
     [Fact]
     [Behaviour("motion.jump.without-weenie", "spec/01, 4.12; CMotionInterp::get_jump_v_z @0x00527AA0")]
-    public void WithoutAWeenieAJumpStartsAtTen()
+    public void Without_a_weenie_a_jump_starts_at_ten()
     {
         (FakeBody body, MotionInterpreter interpreter) = FakeBody.Standing(null);
         Assert.Equal(MotionError.None, interpreter.Jump(0.5f));
@@ -61,7 +61,7 @@ public class JumpTests
 
     [Fact]
     [Behaviour("motion.jump.refusal-order", "spec/01, 4.12; CMotionInterp::jump_is_allowed @0x005282B0")]
-    public void TheReasonsComeInTheirOrder()
+    public void The_reasons_come_in_their_order()
     {
         (FakeBody body, MotionInterpreter interpreter) = FakeBody.Standing(FakeBody.Player(load: 2.5));
         interpreter.Interpreted.ForwardCommand = MotionCommand.Crouch;
@@ -87,7 +87,7 @@ public class JumpTests
 
     [Fact]
     [Behaviour("motion.jump.others-cannot", "spec/01, 2.5")]
-    public void OnlyTheLocalPlayersWeenieMayJump()
+    public void Only_the_local_players_weenie_may_jump()
     {
         (_, MotionInterpreter interpreter) = FakeBody.Standing(new OtherWeenie());
         Assert.Equal(MotionError.TooLoadedToJump, interpreter.Jump(1f));
@@ -117,12 +117,12 @@ public class JumpTests
     [InlineData(0x41000012u, false)]
     [InlineData(0x41000014u, false)]
     [InlineData(0x41000015u, true)]
-    public void Poses(uint motion, bool allowed) => Assert.Equal(
+    public void Poses_from_which_one_cannot_jump(uint motion, bool allowed) => Assert.Equal(
         allowed ? MotionError.None : MotionError.CannotJumpFromThisPosition, MotionInterpreter.MotionAllowsJump((MotionCommand)motion));
 
     [Fact]
     [Behaviour("motion.jump.blocked-until-the-head-is-done", "spec/01, 4.7 and 4.10")]
-    public void APoseForbidsTheJumpUntilItIsDone()
+    public void A_pose_forbids_the_jump_until_it_is_done()
     {
         (_, MotionInterpreter interpreter) = FakeBody.Standing(FakeBody.Player());
         interpreter.DoMotion(MotionCommand.Crouch, Defaults);
@@ -135,7 +135,7 @@ public class JumpTests
 
     [Fact]
     [Behaviour("motion.jump.standing-long-jump", "spec/01, 4.12; CMotionInterp::charge_jump @0x005281C0")]
-    public void AStandingLongJumpHoldsTheBodyAndGoesWhereTheKeysPoint()
+    public void A_standing_long_jump_holds_the_body_and_goes_where_the_keys_point()
     {
         (FakeBody body, MotionInterpreter interpreter) = FakeBody.Standing(FakeBody.Player());
         Assert.Equal(MotionError.None, interpreter.ChargeJump());
@@ -153,7 +153,7 @@ public class JumpTests
 
     [Fact]
     [Behaviour("motion.jump.moving-charge-is-no-long-jump", "spec/01, 4.12")]
-    public void ChargingWhileMovingOrInTheAirHoldsNothing()
+    public void Charging_while_moving_or_in_the_air_holds_nothing()
     {
         (_, MotionInterpreter moving) = FakeBody.Standing(FakeBody.Player());
         moving.DoMotion(MotionCommand.TurnRight, Defaults);
@@ -169,7 +169,7 @@ public class JumpTests
 
     [Fact]
     [Behaviour("motion.jump.charge-refused", "spec/01, 4.12")]
-    public void TheLoadedAndTheSittingDoNotCharge()
+    public void The_loaded_and_the_sitting_do_not_charge()
     {
         (_, MotionInterpreter loaded) = FakeBody.Standing(FakeBody.Player(load: 2));
         Assert.Equal(MotionError.TooLoadedToJump, loaded.ChargeJump());

@@ -8,7 +8,7 @@ public class MotionStateTests
 
     [Fact]
     [Behaviour("motion.parameters.defaults", "spec/01, 2.4; MovementParameters @0x00524380")]
-    public void ParametersBeginWithRetailsDefaults()
+    public void Parameters_begin_with_retails_defaults()
     {
         MovementParameters p = new();
         Assert.Equal(0x1EE0Fu, (uint)p.Flags);
@@ -21,7 +21,7 @@ public class MotionStateTests
 
     [Fact]
     [Behaviour("motion.raw.run-is-a-hold-key", "spec/01, 2.2; RawMotionState::ApplyMotion @0x0051EB60")]
-    public void RunForwardDoesNotEnterTheRawState()
+    public void Run_forward_does_not_enter_the_raw_state()
     {
         RawMotionState raw = new();
         raw.ApplyMotion(MotionCommand.RunForward, new MovementParameters());
@@ -30,7 +30,7 @@ public class MotionStateTests
 
     [Fact]
     [Behaviour("motion.raw.set-hold-key-leaves-no-key-of-its-own", "spec/01, 2.2")]
-    public void TheHoldKeyOfACommandIsKeptOnlyWithoutTheFlag()
+    public void The_hold_key_of_a_command_is_kept_only_without_the_flag()
     {
         RawMotionState raw = new();
         MovementParameters p = new() { HoldKey = HoldKey.Run, Speed = 0.5f };
@@ -45,7 +45,7 @@ public class MotionStateTests
 
     [Fact]
     [Behaviour("motion.raw.apply-and-remove", "spec/01, 2.2; RawMotionState::RemoveMotion @0x0051E6E0")]
-    public void RemovingTakesOutWhatWasApplied()
+    public void Removing_takes_out_what_was_applied()
     {
         RawMotionState raw = new();
         MovementParameters p = new() { Speed = 2f, ActionStamp = 7 };
@@ -69,7 +69,7 @@ public class MotionStateTests
 
     [Fact]
     [Behaviour("motion.raw.new-style-ends-forward", "spec/01, 2.2")]
-    public void ANewStyleEndsTheForwardCommandAndTheSameOneDoesNot()
+    public void A_new_style_ends_the_forward_command_and_the_same_one_does_not()
     {
         RawMotionState raw = new();
         raw.ApplyMotion(MotionCommand.WalkForward, new MovementParameters());
@@ -83,7 +83,7 @@ public class MotionStateTests
 
     [Fact]
     [Behaviour("motion.interpreted.apply-and-remove", "spec/01, 2.3; InterpretedMotionState::ApplyMotion @0x0051EA40")]
-    public void TheInterpretedStateKnowsOnlyTheRightHandCommands()
+    public void The_interpreted_state_knows_only_the_right_hand_commands()
     {
         InterpretedMotionState state = new();
         MovementParameters p = new() { Speed = -0.5f };
@@ -103,7 +103,7 @@ public class MotionStateTests
 
     [Fact]
     [Behaviour("motion.raw.copy-is-independent", "spec/01, 2.2")]
-    public void ACopyLivesItsOwnLife()
+    public void A_copy_lives_its_own_life()
     {
         RawMotionState raw = new() { CurrentHoldKey = HoldKey.Run };
         for (uint i = 0; i < 20; i++) raw.AddAction(new MotionAction(Bow, 1f, i, true));

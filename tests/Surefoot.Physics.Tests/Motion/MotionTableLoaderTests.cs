@@ -33,7 +33,7 @@ public class MotionTableLoaderTests
 
     [Fact]
     [Behaviour("motion.table.loads-from-records", "spec/07, 7.7 and 7.9")]
-    public void ATableIsFlattenedFromItsRecords()
+    public void A_table_is_flattened_from_its_records()
     {
         MotionTableAsset table = MotionTableLoader.Create(Table, Find);
         Assert.Equal((0x09000001u, MotionCommand.NonCombat, MotionCommand.Ready), (table.Id, table.DefaultStyle, table.DefaultSubstate(MotionCommand.NonCombat)));
@@ -46,7 +46,7 @@ public class MotionTableLoaderTests
 
     [Fact]
     [Behaviour("motion.table.missing-animation-is-left-out", "spec/01b, 1, node")]
-    public void AMissingAnimationIsLeftOutAndTheVelocityStays()
+    public void A_missing_animation_is_left_out_and_the_velocity_stays()
     {
         MotionAsset walk = MotionTableLoader.Create(Table, Find).Cycle(MotionCommand.NonCombat, MotionCommand.WalkForward)!;
         Assert.Equal(0, walk.Animations.Length);

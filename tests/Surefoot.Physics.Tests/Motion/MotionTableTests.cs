@@ -35,11 +35,11 @@ public class MotionTableTests
 
     [Fact]
     [Behaviour("motion.table.key-drops-the-styles-upper-half", "spec/07, 7.9")]
-    public void KeysHaveTheLowHalfOfTheStyle() => Assert.Equal(0x003D0003u, MotionTableAsset.Key(Style, MotionCommand.Ready));
+    public void Keys_have_the_low_half_of_the_style() => Assert.Equal(0x003D0003u, MotionTableAsset.Key(Style, MotionCommand.Ready));
 
     [Fact]
     [Behaviour("motion.table.default-state", "spec/01b, 2, SetDefaultState")]
-    public void ATableBeginsInItsDefaultSubstate()
+    public void A_table_begins_in_its_default_substate()
     {
         MotionTableManager manager = Ready();
         Assert.Equal((Style, MotionCommand.Ready, 1f), (manager.Style, manager.Substate, manager.SubstateSpeed));
@@ -48,7 +48,7 @@ public class MotionTableTests
 
     [Fact]
     [Behaviour("motion.table.substate-sets-cycle-and-velocity", "spec/01b, 2.2 and 4")]
-    public void ASubstateSetsCycleAndVelocity()
+    public void A_substate_sets_cycle_and_velocity()
     {
         MotionTableManager manager = Ready();
         Assert.Equal(MotionError.None, manager.DoMotion(MotionCommand.RunForward, 2.6500001f));
@@ -59,7 +59,7 @@ public class MotionTableTests
 
     [Fact]
     [Behaviour("motion.table.change-cycle-speed", "spec/01b, 2, change_cycle_speed")]
-    public void TheSameSubstateAtAnotherSpeedChangesFramerateAndVelocity()
+    public void The_same_substate_at_another_speed_changes_framerate_and_velocity()
     {
         MotionTableManager manager = Ready();
         manager.DoMotion(MotionCommand.RunForward, 1f);
@@ -80,7 +80,7 @@ public class MotionTableTests
 
     [Fact]
     [Behaviour("motion.table.turned-around-plays-backwards", "spec/01b, 2.2 and 4")]
-    public void AnotherSignBeginsTheCycleAnew()
+    public void Another_sign_begins_the_cycle_anew()
     {
         MotionTableManager manager = Ready();
         manager.DoMotion(MotionCommand.WalkForward, 1f);
@@ -92,7 +92,7 @@ public class MotionTableTests
 
     [Fact]
     [Behaviour("motion.table.links-before-the-cycle", "spec/01b, 2.2")]
-    public void LinksArePlayedBeforeTheCycleAndAreWaitedFor()
+    public void Links_are_played_before_the_cycle_and_are_waited_for()
     {
         MotionTableManager manager = Ready(HumanoidTable.Create(links: true));
         List<MotionCommand> done = [];
@@ -114,7 +114,7 @@ public class MotionTableTests
 
     [Fact]
     [Behaviour("motion.table.redundant-links-are-dropped", "spec/01b, 3, remove_redundant_links")]
-    public void GoingBackAndForthDropsTheLinksBetween()
+    public void Going_back_and_forth_drops_the_links_between()
     {
         MotionTableManager manager = Ready(HumanoidTable.Create(links: true));
         manager.DoMotion(MotionCommand.WalkForward, 1f);
@@ -131,7 +131,7 @@ public class MotionTableTests
 
     [Fact]
     [Behaviour("motion.table.turn-while-running-is-a-modifier", "spec/01b, 2, last paragraph")]
-    public void TurningWhileRunningAddsAndStopsAgain()
+    public void Turning_while_running_adds_and_stops_again()
     {
         MotionTableManager manager = Ready();
         manager.DoMotion(MotionCommand.RunForward, 2f);
@@ -151,7 +151,7 @@ public class MotionTableTests
 
     [Fact]
     [Behaviour("motion.table.turn-while-standing-is-the-substate", "spec/01b, 2, last paragraph")]
-    public void TurningWhileStandingIsTheSubstateAndBecomesAModifierOfTheRun()
+    public void Turning_while_standing_is_the_substate_and_becomes_a_modifier_of_the_run()
     {
         MotionTableManager manager = Ready();
         manager.DoMotion(MotionCommand.TurnRight, 1f);
@@ -163,7 +163,7 @@ public class MotionTableTests
 
     [Fact]
     [Behaviour("motion.table.ready-does-not-end-a-turn", "spec/01b, 2.0")]
-    public void ReadyDoesNotEndATurnOrSidestepThatIsTheSubstate()
+    public void Ready_does_not_end_a_turn_or_sidestep_that_is_the_substate()
     {
         MotionTableManager manager = Ready();
         manager.DoMotion(MotionCommand.SideStepRight, -1.248f);
@@ -175,7 +175,7 @@ public class MotionTableTests
 
     [Fact]
     [Behaviour("motion.table.modifiers-survive-a-new-cycle", "spec/01b, 2, re_modify")]
-    public void ModifiersAreDoneAgainOnANewCycle()
+    public void Modifiers_are_done_again_on_a_new_cycle()
     {
         MotionTableManager manager = Ready();
         manager.DoMotion(MotionCommand.WalkForward, 1f);
@@ -188,7 +188,7 @@ public class MotionTableTests
 
     [Fact]
     [Behaviour("motion.table.action-then-back-to-the-cycle", "spec/01b, 2.3")]
-    public void AnActionIsPlayedOnceAndTheCycleGoesOn()
+    public void An_action_is_played_once_and_the_cycle_goes_on()
     {
         MotionTableManager manager = Ready(HumanoidTable.Create(links: true));
         List<MotionCommand> done = [];
@@ -203,7 +203,7 @@ public class MotionTableTests
 
     [Fact]
     [Behaviour("motion.table.action-by-way-of-the-default", "spec/01b, 2.3")]
-    public void AnActionWithoutALinkGoesByWayOfTheDefaultSubstate()
+    public void An_action_without_a_link_goes_by_way_of_the_default_substate()
     {
         MotionTableManager manager = Ready(HumanoidTable.Create(links: true));
         manager.DoMotion(MotionCommand.WalkForward, 1f);
@@ -216,7 +216,7 @@ public class MotionTableTests
 
     [Fact]
     [Behaviour("motion.table.only-from-default", "spec/01b, 2, is_allowed")]
-    public void ACycleOnlyFromTheDefaultSubstateIsRefusedElsewhere()
+    public void A_cycle_only_from_the_default_substate_is_refused_elsewhere()
     {
         MotionAsset plain = new([new AnimationSpan(HumanoidTable.TenFrames, 0, -1, 30f)]);
         MotionAsset special = new([new AnimationSpan(HumanoidTable.TenFrames, 0, -1, 30f)], bitfield: 2);
@@ -232,7 +232,7 @@ public class MotionTableTests
 
     [Fact]
     [Behaviour("motion.table.style-goes-by-way-of-the-default-style", "spec/01b, 2.1")]
-    public void AStyleWithoutALinkGoesByWayOfTheDefaultStyle()
+    public void A_style_without_a_link_goes_by_way_of_the_default_style()
     {
         AnimationAsset a = new(1, 2), b = new(2, 2), c = new(3, 2);
         MotionAsset Data(AnimationAsset animation) => new([new AnimationSpan(animation, 0, -1, 30f)]);
@@ -255,7 +255,7 @@ public class MotionTableTests
 
     [Fact]
     [Behaviour("motion.table.entering-the-world-fails-what-is-pending", "spec/01b, 3")]
-    public void EnteringTheWorldDropsLinksAndFailsWhatIsPending()
+    public void Entering_the_world_drops_links_and_fails_what_is_pending()
     {
         MotionTableManager manager = Ready(HumanoidTable.Create(links: true));
         manager.DoMotion(MotionCommand.WalkForward, 1f);
@@ -268,7 +268,7 @@ public class MotionTableTests
 
     [Fact]
     [Behaviour("motion.table.backward-links-are-the-opposite-way", "spec/01b, 2, get_link")]
-    public void ANegativeSpeedTakesTheLinkOfTheOppositeWay()
+    public void A_negative_speed_takes_the_link_of_the_opposite_way()
     {
         MotionAsset there = new([new AnimationSpan(new AnimationAsset(1, 2), 0, -1, 30f)]);
         MotionAsset back = new([new AnimationSpan(new AnimationAsset(2, 2), 0, -1, 30f)]);
@@ -282,7 +282,7 @@ public class MotionTableTests
 
     [Fact]
     [Behaviour("motion.table.evicting-modifiers-end", "spec/01b, 2, re_modify")]
-    public void ATableWhoseTurnsEvictEachOtherEnds()
+    public void A_table_whose_turns_evict_each_other_ends()
     {
         MotionAsset plain = new([new AnimationSpan(HumanoidTable.TenFrames, 0, -1, 30f)]);
         MotionTableAsset table = new MotionTableBuilder(1).Style(Style, MotionCommand.Ready)
@@ -295,7 +295,7 @@ public class MotionTableTests
 
     [Fact]
     [Behaviour("motion.table.velocity-follows-the-state", "spec/01b, 2")]
-    public void WhateverWasDoneBeforeTheVelocityIsThatOfTheStateNow()
+    public void Whatever_was_done_before_the_velocity_is_that_of_the_state_now()
     {
         MotionCommand[] commands = [MotionCommand.Ready, MotionCommand.WalkForward, MotionCommand.RunForward, MotionCommand.TurnRight, MotionCommand.SideStepRight, MotionCommand.Falling];
         Gen.Select(Gen.Int[0, commands.Length - 1], Gen.Float[-3, 3], Gen.Bool, Gen.Int[0, 3]).List[1, 60].Sample(steps =>

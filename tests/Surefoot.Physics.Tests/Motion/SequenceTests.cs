@@ -28,7 +28,7 @@ public class SequenceTests
 
     [Fact]
     [Behaviour("motion.sequence.velocity-in-whole-frames", "spec/01b, 1 and 4; CSequence::update_internal")]
-    public void WalkingHandsOutATenthOfAMetreForEachFrameCrossed()
+    public void Walking_hands_out_a_tenth_of_a_metre_for_each_frame_crossed()
     {
         MotionSequence sequence = Cycle(new Vector3(0, 3.12f, 0), 1f);
         Assert.Equal(0f, Advance(sequence, 0.02).Origin.Y);
@@ -38,7 +38,7 @@ public class SequenceTests
 
     [Fact]
     [Behaviour("motion.sequence.runner-crosses-two-or-three-frames", "spec/01b, 4")]
-    public void RunningCrossesTwoOrThreeFramesAQuantum()
+    public void Running_crosses_two_or_three_frames_a_quantum()
     {
         MotionSequence sequence = Cycle(new Vector3(0, 4f, 0), 2.6500001f);
         float frame = 4f / 30;
@@ -59,7 +59,7 @@ public class SequenceTests
 
     [Fact]
     [Behaviour("motion.sequence.backwards-frames", "spec/01b, 1.4 and 4")]
-    public void WalkingBackwardsHandsOutTheSameStepBackwards()
+    public void Walking_backwards_hands_out_the_same_step_backwards()
     {
         MotionSequence sequence = Cycle(new Vector3(0, 3.12f, 0), -0.649999976f);
         Assert.Equal(-19.5f, sequence.CurrentFramerate, 1e-5f);
@@ -77,7 +77,7 @@ public class SequenceTests
 
     [Fact]
     [Behaviour("motion.sequence.turn-in-whole-frames", "spec/01b, 4")]
-    public void TurningTurnsByATwentiethOfARadianAFrame()
+    public void Turning_turns_by_a_twentieth_of_a_radian_a_frame()
     {
         MotionSequence sequence = Cycle(Vector3.Zero, 1.5f, new Vector3(0, 0, -1.5f));
         Frame frame = Advance(sequence, 1.01 / 45);
@@ -87,7 +87,7 @@ public class SequenceTests
 
     [Fact]
     [Behaviour("motion.sequence.smooth-without-animations", "spec/01b, 1 and 4")]
-    public void WithoutAnimationsVelocityIsHandedOutContinuously()
+    public void Without_animations_velocity_is_handed_out_continuously()
     {
         MotionSequence sequence = new();
         sequence.SetPhysics(new MotionAsset([], new Vector3(0, 4f, 0)), 2.5f);
@@ -97,7 +97,7 @@ public class SequenceTests
 
     [Fact]
     [Behaviour("motion.sequence.framerate-zero-moves-by-time", "spec/01b, 1.2")]
-    public void AnAnimationThatStandsStillMovesByTime()
+    public void An_animation_that_stands_still_moves_by_time()
     {
         MotionSequence sequence = new();
         MotionAsset data = new([new AnimationSpan(TenFrames, 0, -1, 0f)], new Vector3(0, 2f, 0));
@@ -109,7 +109,7 @@ public class SequenceTests
 
     [Fact]
     [Behaviour("motion.sequence.links-once-then-cycle", "spec/01b, 1; CSequence::append_animation")]
-    public void LinksPlayOnceAndTheLastAnimationRepeats()
+    public void Links_play_once_and_the_last_animation_repeats()
     {
         MotionSequence sequence = new();
         AnimationAsset link = new(7, 3), cycle = new(8, 4);
@@ -133,7 +133,7 @@ public class SequenceTests
 
     [Fact]
     [Behaviour("motion.sequence.loop-hands-out-the-first-frame-at-once", "spec/01b, 1, advance_to_next_animation")]
-    public void ALoopHandsOutEveryFrameOnce()
+    public void A_loop_hands_out_every_frame_once()
     {
         Vector3[] steps = [new(1, 0, 0), new(0, 2, 0), new(0, 0, 4)];
         AnimationAsset animation = new(5, 3, steps.Select(s => new Frame(s, Quaternion.Identity)).ToArray());
@@ -147,7 +147,7 @@ public class SequenceTests
 
     [Fact]
     [Behaviour("motion.sequence.position-frames-and-velocity-together", "spec/01b, 1.3 and 5")]
-    public void PositionFramesAndVelocityAdd()
+    public void Position_frames_and_velocity_add()
     {
         Frame[] frames = [new(new Vector3(0, 1, 0), Quaternion.Identity), new(new Vector3(0, 1, 0), Quaternion.Identity)];
         MotionSequence sequence = Cycle(new Vector3(0, 3, 0), 1f, animation: new AnimationAsset(5, 2, frames));
@@ -156,7 +156,7 @@ public class SequenceTests
 
     [Fact]
     [Behaviour("motion.sequence.frames-clamped-to-the-animation", "spec/01b, 1, node")]
-    public void FramesBeyondTheAnimationAreClamped()
+    public void Frames_beyond_the_animation_are_clamped()
     {
         MotionSequence sequence = new();
         sequence.Append(new AnimationSpan(TenFrames, 20, 30, -30f), 1f);
@@ -168,7 +168,7 @@ public class SequenceTests
 
     [Fact]
     [Behaviour("motion.sequence.removing-the-cycle-stands-at-the-end-before-it", "spec/01b, 1, remove_cyclic_anims")]
-    public void RemovingTheCycleLeavesTheLinkAtItsEnd()
+    public void Removing_the_cycle_leaves_the_link_at_its_end()
     {
         MotionSequence sequence = new();
         sequence.Append(new AnimationSpan(TenFrames, 0, -1, 30f), 1f);
@@ -183,7 +183,7 @@ public class SequenceTests
 
     [Fact]
     [Behaviour("motion.sequence.distance-is-velocity-times-time", "spec/01b, 1, consequence")]
-    public void OverTimeTheDistanceIsVelocityTimesTime() =>
+    public void Over_time_the_distance_is_velocity_times_time() =>
         Gen.Select(Gen.Float[0.2f, 4.5f], Gen.Float[0.5f, 5f], Gen.Double[0.001, 0.2].List[50, 200], Gen.Int[1, 40]).Sample((speed, velocity, quanta, frames) =>
         {
             MotionSequence sequence = Cycle(new Vector3(0, velocity, 0), speed, animation: new AnimationAsset(1, frames));
@@ -201,7 +201,7 @@ public class SequenceTests
 
     [Fact]
     [Behaviour("motion.sequence.absurd-framerate-ends", "spec/01b, 1")]
-    public void AFramerateOutOfProportionDoesNotHang()
+    public void A_framerate_out_of_proportion_does_not_hang()
     {
         MotionSequence sequence = new();
         sequence.Append(new AnimationSpan(new AnimationAsset(1, 1), 0, -1, 1e30f), 1f);
