@@ -11,6 +11,8 @@ using Microsoft.Extensions.DependencyInjection;
 using Microsoft.Extensions.Hosting;
 using Microsoft.Extensions.Logging;
 using Microsoft.Extensions.Logging.Abstractions;
+using Surefoot.Dats;
+using Surefoot.DemoWorld;
 using Surefoot.Workbench.Hosting;
 using Surefoot.Workbench.Simulation;
 using Surefoot.Workbench.Wire;
@@ -48,6 +50,37 @@ public sealed class WorkbenchServer : IAsyncDisposable
     internal WorldLoop Loop { get; }
 
     internal ServerCounters Counters => counters;
+
+    /// <summary>Opens the world and serves it. When the port is taken the next free one is used: see <see cref="Address"/>.</summary>
+    /// <param name="options">What and where.</param>
+    /// <param name="cancellation">Gives up starting.</param>
+    /// <returns>The running server; dispose it to stop.</returns>
+    /// <exception cref="DatFolderException">The dat folder or a file in it is missing; the message says which.</exception>
+    /// <exception cref="DatFormatException">A file is no dat file, or the region, the human setup or its motion table is malformed.</exception>
+    /// <exception cref="DatRecordMissingException">The region, the human setup or its motion table is missing.</exception>
+    /// <exception cref="ArgumentException">An option is out of range, or the list of places is empty.</exception>
+    /// <exception cref="IOException">The demo world cannot be written, or a hundred ports from the one asked for are taken.</exception>
+    public static async Task<WorkbenchServer> StartAsync(WorkbenchOptions options, CancellationToken cancellation = default)
+    {
+        ArgumentNullException.ThrowIfNull(options);
+        if (options.Places is { Count: 0 }) throw new ArgumentException("There is no place to enter the world at.", nameof(options));
+        ILogger logger = (options.LoggerFactory ?? NullLoggerFactory.Instance).CreateLogger<SimulatedWorld>();
+        bool demo = options.DatFolder is null;
+        DatSet dats = DatSet.Open(options.DatFolder ?? DemoWorldCache.GetOrCreate());
+        IReadOnlyList<WorkbenchPlace> places = options.Places ?? (demo ? KnownPlaces.Demo() : KnownPlaces.Retail());
+        IWorkbenchWorld? world = null;
+        try
+        {
+            world = new SimulatedWorld(demo ? "Demo world" : Path.GetFileName(Path.TrimEndingDirectorySeparator(dats.Folder)), dats, places, logger);
+            return await StartAsync(world, options, cancellation).ConfigureAwait(false);
+        }
+        catch
+        {
+            if (world is null) dats.Dispose();
+            else world.Dispose();
+            throw;
+        }
+    }
 
     internal static async Task<WorkbenchServer> StartAsync(IWorkbenchWorld world, WorkbenchOptions options, CancellationToken cancellation = default)
     {

@@ -17,6 +17,8 @@ internal sealed class SimulatedPlayer : IWorkbenchPlayer, IMovementSink
 
     private readonly Queue<PlayerEvent> events = [];
     private LocalPlayer? player;
+    private SimulatedWorld? world;
+    private uint settledCell;
     private MovementKeys keys;
     private byte teleports;
     private bool airborne;
@@ -42,10 +44,24 @@ internal sealed class SimulatedPlayer : IWorkbenchPlayer, IMovementSink
     }
 
     /// <summary>Takes over the player, once it is in the world.</summary>
-    public void Enter(LocalPlayer entered, double now)
+    /// <param name="entered">The player.</param>
+    /// <param name="around">The world that loads what it may reach.</param>
+    /// <param name="now">Seconds.</param>
+    public void Enter(LocalPlayer entered, SimulatedWorld around, double now)
     {
         player = entered;
+        world = around;
         Observe(now);
+    }
+
+    /// <summary>True once for each landblock that the player comes into.</summary>
+    /// <param name="cellId">Where the player is.</param>
+    public bool EnteredBlock(out uint cellId)
+    {
+        cellId = Pose.CellId;
+        if (cellId >> 16 == settledCell >> 16) return false;
+        settledCell = cellId;
+        return true;
     }
 
     /// <inheritdoc/>
@@ -65,6 +81,7 @@ internal sealed class SimulatedPlayer : IWorkbenchPlayer, IMovementSink
     /// <inheritdoc/>
     public void Goto(WorkbenchPlace place, double now)
     {
+        world?.LoadAround(place.CellId, 1);
         PlacementRequest request = new(PositionOf(place), PlacementFlags.Placement | PlacementFlags.Teleport | PlacementFlags.Slide);
         if (Player.Body.SetPosition(request) != PlacementResult.OK) return;
         Player.Body.TeleportHook();

@@ -2,5 +2,5 @@ namespace Surefoot.Workbench.Tests.Support;
 
 internal static class Worlds
 {
-    public static Task<WorkbenchServer> StartAsync() => WorkbenchServer.StartAsync(new StandInWorld(), new WorkbenchOptions { Port = 0 });
+    public static Task<WorkbenchServer> StartAsync() => WorkbenchServer.StartAsync(new WorkbenchOptions { Port = 0 });
 }

@@ -1,0 +1,178 @@
+using Microsoft.Extensions.Logging;
+using Surefoot.Client;
+using Surefoot.Dats;
+using Surefoot.Dats.Records;
+using Surefoot.Physics;
+using Surefoot.Physics.Assets;
+using Surefoot.Physics.Motion;
+using Surefoot.Physics.World;
+
+namespace Surefoot.Workbench.Simulation;
+
+/// <summary>The physics over a folder of dat files, with a player for each page.</summary>
+internal sealed partial class SimulatedWorld : IWorkbenchWorld
+{
+    private const uint HumanSetup = 0x02000001;
+    private const uint HumanMotionTable = 0x09000001;
+    private const int KeepRadius = 3;
+
+    /// <summary>How long the server in this process takes to answer, seconds: enough to see that a new skill waits for it.</summary>
+    private const double ServerLatency = 0.1;
+
+    private readonly DatSet dats;
+    private readonly PhysicsDataCache cache;
+    private readonly PhysicsWorld land;
+    private readonly PhysicsEngine engine;
+    private readonly SetupAsset human;
+    private readonly MotionTableAsset humanMotions;
+    private readonly ILogger logger;
+    private readonly List<SimulatedPlayer> players = [];
+    private readonly HashSet<uint> broken = [];
+    private readonly List<uint> leaving = [];
+
+    /// <summary>A world over an open folder, which it takes over.</summary>
+    /// <param name="name">Name shown on the page.</param>
+    /// <param name="dats">The files; disposed with the world.</param>
+    /// <param name="places">Places to go to; those in landblocks that the files lack are left out.</param>
+    /// <param name="logger">Is told of landblocks that cannot be read.</param>
+    /// <exception cref="DatRecordMissingException">The region, the human setup or its motion table is missing.</exception>
+    /// <exception cref="DatFormatException">One of them is malformed.</exception>
+    /// <exception cref="DatFolderException">There is no landblock at all.</exception>
+    public SimulatedWorld(string name, DatSet dats, IReadOnlyList<WorkbenchPlace> places, ILogger logger)
+    {
+        this.dats = dats;
+        this.logger = logger;
+        Name = name;
+        cache = new PhysicsDataCache(dats);
+        land = new PhysicsWorld(cache);
+        engine = new PhysicsEngine(land);
+        land.LandblockLoaded += engine.OnLandblockLoaded;
+        land.LandblockUnloading += engine.OnLandblockUnloading;
+        human = cache.GetSetup(HumanSetup);
+        humanMotions = MotionTableLoader.Load(dats, HumanMotionTable);
+        Places = [.. places.Where(place => dats.TryRead((place.CellId & 0xFFFF0000) | 0xFFFF, out _)).Select(OnGround)];
+        if (Places.Count == 0) Places = [OnGround(KnownPlaces.Somewhere(dats))];
+    }
+
+    /// <inheritdoc/>
+    public string Name { get; }
+
+    /// <inheritdoc/>
+    public IReadOnlyList<WorkbenchPlace> Places { get; }
+
+    /// <inheritdoc/>
+    public int BurdenCapacity => MovementFormulas.Capacity(SimulatedPlayer.Strength, 0);
+
+    /// <inheritdoc/>
+    public IWorkbenchPlayer Join(uint id, PlayerSettings settings, WorkbenchPlace place, double now)
+    {
+        LoadAround(place.CellId, 1);
+        SimulatedPlayer player = new();
+        LocalPlayerOptions options = new() { Latency = ServerLatency, Observer = player };
+        LocalPlayer? spawned = LocalPlayer.Spawn(
+            engine, id, human, humanMotions, SimulatedPlayer.PositionOf(place), SimulatedPlayer.StatsOf(settings), options);
+        player.Enter(spawned ?? throw new InvalidOperationException($"There is no room for a player at {place.Name}."), this, now);
+        players.Add(player);
+        return player;
+    }
+
+    /// <inheritdoc/>
+    public void Leave(IWorkbenchPlayer player)
+    {
+        SimulatedPlayer gone = (SimulatedPlayer)player;
+        if (players.Remove(gone)) engine.RemoveBody(gone.Player.Body);
+    }
+
+    /// <inheritdoc/>
+    public bool Advance(double now)
+    {
+        foreach (SimulatedPlayer player in players) player.BeforeStep(now);
+        if (!engine.Tick(now)) return false;
+        foreach (SimulatedPlayer player in players)
+        {
+            player.Observe(now);
+            if (player.EnteredBlock(out uint cellId)) Resettle(cellId);
+        }
+
+        return true;
+    }
+
+    /// <inheritdoc/>
+    public TerrainBlock? ReadTerrain(ushort block)
+    {
+        uint blockId = (uint)block << 16;
+        LandBlock? record;
+        try
+        {
+            if (!dats.TryRead(blockId | 0xFFFF, out record)) return null;
+        }
+        catch (DatFormatException)
+        {
+            return null;
+        }
+
+        float[] heights = new float[TerrainSurface.VertexCount];
+        for (int i = 0; i < heights.Length; i++) heights[i] = land.Region.HeightTable[record.Heights[i]];
+        TerrainSurface surface = new(blockId, heights, record.Terrain.AsSpan());
+        bool[] cuts = new bool[TerrainSurface.CellCount];
+        for (int cell = 0; cell < cuts.Length; cell++) cuts[cell] = surface.IsCutSouthWestToNorthEast(cell);
+        return new TerrainBlock(heights, [.. record.Terrain], cuts);
+    }
+
+    /// <inheritdoc/>
+    public void Dispose() => dats.Dispose();
+
+    /// <summary>Loads what a player in this cell may reach; before it is put there.</summary>
+    internal void LoadAround(uint cellId, int radius)
+    {
+        int x = (int)(cellId >> 24), y = (int)((cellId >> 16) & 0xFF);
+        for (int i = Math.Max(0, x - radius); i <= Math.Min(254, x + radius); i++)
+        {
+            for (int j = Math.Max(0, y - radius); j <= Math.Min(254, y + radius); j++) Load(((uint)i << 24) | ((uint)j << 16));
+        }
+    }
+
+    /// <summary>A block that cannot be read is left out, as if the files had none: the rest of the world stays playable.</summary>
+    private void Load(uint blockId)
+    {
+        if (broken.Contains(blockId)) return;
+        try
+        {
+            if (!land.LoadLandblock(blockId)) broken.Add(blockId);
+        }
+        catch (Exception unreadable) when (unreadable is DatFormatException or DatRecordMissingException)
+        {
+            broken.Add(blockId);
+            LogUnreadable(logger, blockId, unreadable);
+        }
+    }
+
+    private void Resettle(uint cellId)
+    {
+        LoadAround(cellId, 1);
+        leaving.Clear();
+        foreach (Landblock block in land.Landblocks)
+        {
+            if (!players.Exists(player => IsNear(block.Id, player.Pose.CellId))) leaving.Add(block.Id);
+        }
+
+        foreach (uint blockId in leaving) land.UnloadLandblock(blockId);
+    }
+
+    private static bool IsNear(uint blockId, uint cellId) =>
+        Math.Abs((int)(blockId >> 24) - (int)(cellId >> 24)) <= KeepRadius &&
+        Math.Abs((int)((blockId >> 16) & 0xFF) - (int)((cellId >> 16) & 0xFF)) <= KeepRadius;
+
+    /// <summary>An outdoor place without a height is put on the ground.</summary>
+    private WorkbenchPlace OnGround(WorkbenchPlace place)
+    {
+        if (!float.IsNaN(place.Position.Z)) return place;
+        float z = 0;
+        if (ReadTerrain((ushort)(place.CellId >> 16)) is { } terrain)
+            new TerrainSurface(place.CellId, terrain.Heights, terrain.Terrain).TryGetHeight(place.Position.X, place.Position.Y, out z);
+        return place with { Position = place.Position with { Z = z } };
+    }
+
+    [LoggerMessage(Level = LogLevel.Warning, Message = "Landblock 0x{Block:X8} cannot be read and is left out")]
+    private static partial void LogUnreadable(ILogger logger, uint block, Exception unreadable);
+}
