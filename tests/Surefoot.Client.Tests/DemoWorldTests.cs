@@ -1,0 +1,136 @@
+using System.Numerics;
+using Surefoot.Physics.Motion;
+using Surefoot.Physics.World;
+
+namespace Surefoot.Client.Tests;
+
+/// <summary>The acceptance lines of movement in the world that everybody can write: real files, real terrain, real keys.</summary>
+public class DemoWorldTests(DemoFiles files) : IClassFixture<DemoFiles>
+{
+    private const double FrameTime = WalkFixture.FrameTime;
+
+    [Theory]
+    [Behaviour("acceptance.run-speed-on-terrain", "design; spec/01, 4.1 and 6")]
+    [InlineData(0, 0, 4.0)]
+    [InlineData(100, 0, 7.66666652)]
+    [InlineData(300, 0, 10.6000004)]
+    [InlineData(300, 22500, 7.3000002)]
+    [InlineData(800, 0, 18.0)]
+    public void A_runner_on_the_runway_covers_the_formulas_distance(int skill, int burden, double expected)
+    {
+        DemoWalk walk = new(files, "runway", new CharacterStats(skill, 300, Burden: burden));
+        walk.Hold(MovementKeys.Forward, 15);
+        Vector3 from = walk.Moved;
+        const int count = 600;
+        HashSet<uint> blocks = [];
+        walk.Hold(MovementKeys.Forward, count, () =>
+        {
+            Assert.True(walk.Body.OnWalkable);
+            Assert.Equal(walk.RestHeight, walk.Z, 1e-3f);
+            blocks.Add(CellIds.BlockOf(walk.Position.CellId));
+        });
+        Vector3 way = walk.Moved - from;
+        Assert.Equal(expected, way.X / (count * FrameTime), 2 * 4.0 / 30 / (count * FrameTime));
+        Assert.Equal(0f, way.Y, 0.01f);
+        if (skill == 800) Assert.True(blocks.Count >= 2);
+    }
+
+    [Theory]
+    [Behaviour("acceptance.walk-speed-on-terrain", "design; spec/01, 3 and 4.3")]
+    [InlineData(0)]
+    [InlineData(800)]
+    public void A_walker_on_the_runway_covers_three_point_one_two_metres_a_second(int skill)
+    {
+        DemoWalk walk = new(files, "runway", new CharacterStats(skill, 300));
+        const MovementKeys keys = MovementKeys.Forward | MovementKeys.Walk;
+        walk.Hold(keys, 15);
+        float from = walk.Moved.X;
+        walk.Hold(keys, 300);
+        Assert.Equal(3.12, (walk.Moved.X - from) / (300 * FrameTime), 2 * 0.104 / (300 * FrameTime));
+    }
+
+    [Theory]
+    [Behaviour("acceptance.jump-apex-on-terrain", "design; spec/01, 4.1 and 6; spec/02, 6.4 and 6.5")]
+    [InlineData(300, 30, 4.21231575)]
+    [InlineData(0, 30, 0.349998266)]
+    [InlineData(1000, 1, 0.349998266)]
+    public void A_jump_in_the_meadow_reaches_its_height(int skill, int chargeFrames, double apex)
+    {
+        DemoWalk walk = new(files, "meadow", new CharacterStats(300, skill));
+        walk.Hold(MovementKeys.Jump, chargeFrames);
+        float highest = 0;
+        walk.Hold(MovementKeys.None, 60, () => highest = Math.Max(highest, walk.Z - walk.RestHeight));
+        Assert.Single(walk.Sent.Jumps);
+
+        // The heights are those of the integration at 1/30 s; a jump from a charge of one frame has an extent a little above the least.
+        Assert.Equal(apex, highest, 1e-3);
+        walk.Hold(MovementKeys.None, 30);
+        Assert.True(walk.Body.OnWalkable);
+    }
+
+    [Theory]
+    [Behaviour("acceptance.hill-below-the-limit-keeps-the-ground", "design; spec/03")]
+    [InlineData("slope-15")]
+    [InlineData("slope-30")]
+    [InlineData("slope-45")]
+    public void A_hill_below_the_limit_is_run_up_and_down_with_the_ground_under_the_feet(string place)
+    {
+        DemoWalk walk = new(files, place, new CharacterStats(200, 300));
+        float highest = walk.RestHeight;
+        walk.Hold(MovementKeys.Forward, 60, () =>
+        {
+            Assert.True(walk.Body.OnWalkable);
+            highest = Math.Max(highest, walk.Z);
+        });
+        Assert.True(highest > walk.RestHeight + 2, $"climbed from {walk.RestHeight} to {highest}");
+        walk.Hold(MovementKeys.Back | MovementKeys.Walk, 150, () => Assert.True(walk.Body.OnWalkable));
+        Assert.True(walk.Z < highest - 1, $"came down from {highest} to {walk.Z}");
+    }
+
+    [Theory]
+    [Behaviour("acceptance.slope-above-the-limit-is-not-climbed", "design; spec/03")]
+    [InlineData("slope-55")]
+    [InlineData("slope-60")]
+    public void A_slope_above_the_limit_is_not_climbed(string place)
+    {
+        DemoWalk walk = new(files, place, new CharacterStats(300, 300));
+        float highest = walk.RestHeight;
+        walk.Hold(MovementKeys.Forward, 300, () => highest = Math.Max(highest, walk.Z));
+        Assert.True(highest < walk.RestHeight + 2, $"climbed from {walk.RestHeight} to {highest}");
+    }
+
+    [Fact]
+    [Behaviour("acceptance.cliff-falls-and-lands", "design; spec/02, 4.10 and 4.13")]
+    public void Running_off_a_cliff_falls_and_lands_with_contact()
+    {
+        DemoWalk walk = new(files, "cliff-edge", new CharacterStats(300, 300));
+        bool fell = false;
+        walk.Hold(MovementKeys.Forward, 240, () => fell |= !walk.Body.HasContact);
+        Assert.True(fell);
+        walk.Hold(MovementKeys.None, 240);
+        Assert.True(walk.Body.HasContact);
+        Assert.True(walk.Z < walk.RestHeight - 5, $"from {walk.RestHeight} to {walk.Z}");
+    }
+
+    [Fact]
+    [Behaviour("acceptance.borders-change-only-the-cell-id", "design; spec/05")]
+    public void Crossing_a_border_changes_the_cell_and_nothing_else()
+    {
+        DemoWalk across = new(files, "landblock-border", new CharacterStats(300, 300));
+        DemoWalk away = new(files, "landblock-border", new CharacterStats(300, 300), eastward: -96);
+        HashSet<uint> blocks = [];
+        for (int i = 0; i < 120; i++)
+        {
+            MovementKeys keys = MovementKeys.Forward | (i % 40 > 30 ? MovementKeys.Jump : 0) | (i % 50 > 44 ? MovementKeys.TurnLeft : 0);
+            across.Hold(keys, 1);
+            away.Hold(keys, 1);
+            blocks.Add(CellIds.BlockOf(across.Position.CellId));
+            Assert.Equal(across.Moved.X, away.Moved.X, 2e-3f);
+            Assert.Equal(across.Moved.Y, away.Moved.Y, 2e-3f);
+            Assert.Equal(across.Moved.Z, away.Moved.Z, 2e-3f);
+            Assert.Equal(across.Body.Transient, away.Body.Transient);
+        }
+
+        Assert.True(blocks.Count > 1);
+    }
+}
