@@ -37,6 +37,12 @@ public sealed class PhysicsEngine
     /// <summary>The local player; bodies farther than 96 m from it sleep. Null, as on a server, keeps every body as it is.</summary>
     public PhysicsBody? Player { get; set; }
 
+    /// <summary>
+    /// Keep a body where it is when a move would end in no loaded cell. Off, as in retail, where such a body is parked until its cell is loaded; servers
+    /// want it on.
+    /// </summary>
+    public bool RefuseLeavingCells { get; set; }
+
     /// <summary>Receives each decision of every transition; null, the usual case, costs nothing.</summary>
     public ITransitionTrace? Trace
     {

@@ -77,24 +77,28 @@ public sealed partial class PhysicsBody
 
     /// <summary>Advances the body by one quantum now, whatever the world's clock says: for replays and tests.</summary>
     /// <param name="quantum">Seconds, more than 0.</param>
+    /// <param name="sweepWithoutSpheres">
+    /// Let a body without spheres move by the dummy sphere of its transition. In a tick such a body stays where it is (specification 02, 4.4, step 5);
+    /// recorded walks leave that rule out.
+    /// </param>
     /// <exception cref="ArgumentOutOfRangeException">The quantum is not a positive finite number.</exception>
-    public void Step(float quantum)
+    public void Step(float quantum, bool sweepWithoutSpheres = false)
     {
         if (!(quantum > 0) || !float.IsFinite(quantum)) throw new ArgumentOutOfRangeException(nameof(quantum), quantum, "A quantum is a positive number of seconds.");
         updateTime += quantum;
-        RunQuantum(quantum, updateTime);
+        RunQuantum(quantum, updateTime, sweepWithoutSpheres);
     }
 
-    private void RunQuantum(float quantum, double simulatedTime)
+    private void RunQuantum(float quantum, double simulatedTime, bool sweepWithoutSpheres = false)
     {
         LastQuantum = quantum;
         PreviousPosition = PositionField;
-        UpdateObjectInternal(quantum, simulatedTime);
+        UpdateObjectInternal(quantum, simulatedTime, sweepWithoutSpheres);
     }
 
     /// <summary>One quantum: propose, try, commit or refuse.</summary>
     /// <remarks>Retail: CPhysicsObj::UpdateObjectInternal @0x005156B0.</remarks>
-    private void UpdateObjectInternal(float quantum, double simulatedTime)
+    private void UpdateObjectInternal(float quantum, double simulatedTime, bool sweepWithoutSpheres)
     {
         if (!IsActive || Cell is null) return;
         LastHitCount = 0;
@@ -103,7 +107,7 @@ public sealed partial class PhysicsBody
         if (Has(TransientState.CheckEthereal)) SetEthereal(false);
 
         Position proposal = new(PositionField.CellId, UpdatePositionInternal(quantum));
-        if (Setup is null || Setup.Spheres.Length == 0)
+        if (!sweepWithoutSpheres && (Setup is null || Setup.Spheres.Length == 0))
         {
             if (Movement is null && OnWalkable) Transient &= ~TransientState.Active;
             TurnOnly(proposal.Frame);
@@ -132,7 +136,7 @@ public sealed partial class PhysicsBody
 
         bool found = Sweep(transition, proposal);
         engine.Transitions.Return();
-        if (!found)
+        if (!found || (engine.RefuseLeavingCells && transition.Path.CurrCell is null))
         {
             TurnOnly(proposal.Frame);
             return;
