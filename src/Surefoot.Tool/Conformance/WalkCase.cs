@@ -12,10 +12,10 @@ namespace Surefoot.Tool.Conformance;
 /// <param name="Others">Creatures placed first; they stay still.</param>
 /// <param name="Place">Where the mover was asked to be.</param>
 /// <param name="Placed">Outcome of the placement.</param>
-/// <param name="Start">State after placement.</param>
-/// <param name="Steps">One entry a quantum.</param>
+/// <param name="Start">State after placement; null when there was no room.</param>
+/// <param name="Steps">One entry a quantum; null when there was no room.</param>
 internal sealed record WalkCase(
-    string Id, string Scene, string Setup, WalkOther[]? Others, WalkPlace Place, string Placed, WalkStep Start, WalkStep[] Steps)
+    string Id, string Scene, string Setup, WalkOther[]? Others, WalkPlace Place, string Placed, WalkStep? Start, WalkStep[]? Steps)
 {
     /// <summary>Reads the cases of a file, one JSON object a line, gzipped or not.</summary>
     /// <exception cref="InvalidDataException">A line is not a case; the message names file and line.</exception>
@@ -39,7 +39,7 @@ internal sealed record WalkCase(
                 throw new InvalidDataException($"{path}, line {number}: {e.Message}", e);
             }
 
-            if (walk?.Start is null || walk.Steps is null) throw new InvalidDataException($"{path}, line {number}: not a recorded walk.");
+            if (walk?.Place is null || walk.Setup is null || walk.Placed is null) throw new InvalidDataException($"{path}, line {number}: not a recorded walk.");
             yield return walk;
         }
     }

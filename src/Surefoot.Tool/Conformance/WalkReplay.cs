@@ -13,6 +13,9 @@ internal enum StepDifference
     /// <summary>Not at all.</summary>
     None,
 
+    /// <summary>Placed where the record was not, or the other way round.</summary>
+    Placement,
+
     /// <summary>Another cell.</summary>
     Cell,
 
@@ -41,7 +44,8 @@ internal sealed class WalkReplay(ICellWorld world, Func<uint, SetupAsset> setups
     /// </summary>
     internal (int Steps, int Equal, Divergence? First) Run(WalkCase walk, bool reseat)
     {
-        PhysicsEngine engine = new(world);
+        // The recorder keeps a body that would leave its cells where it is (specification 02, 5, UpdateObjectInternal).
+        PhysicsEngine engine = new(world) { RefuseLeavingCells = true };
         List<PhysicsBody> all = [];
         foreach (WalkOther other in walk.Others ?? [])
         {
@@ -72,7 +76,10 @@ internal sealed class WalkReplay(ICellWorld world, Func<uint, SetupAsset> setups
             WalkCase.ParseId(walk.Place.Cell), new Frame(Vector(walk.Place.Pos), Quaternion.CreateFromAxisAngle(Vector3.UnitZ, walk.Place.Yaw)));
         PlacementResult result = body.SetPosition(new PlacementRequest(place, PlacementFlags.Slide));
         Divergence? first = null;
-        StepDifference start = result == PlacementResult.OK == (walk.Placed == "OK") ? Compare(body, walk.Start) : StepDifference.Cell;
+        if (result == PlacementResult.OK != (walk.Placed == "OK"))
+            return (walk.Steps?.Length ?? 0, 0, new Divergence(walk.Id, walk.Scene, -1, StepDifference.Placement, $"placed {result}, recorded {walk.Placed}"));
+        if (walk.Start is null || walk.Steps is null) return (0, 0, null);
+        StepDifference start = Compare(body, walk.Start);
         if (start != StepDifference.None) first = new Divergence(walk.Id, walk.Scene, -1, start, Describe(body, walk.Start));
 
         // The recorded start has no more than the state; the orientation is that of the placement.
@@ -91,7 +98,7 @@ internal sealed class WalkReplay(ICellWorld world, Func<uint, SetupAsset> setups
             }
 
             motion.Offset = step.Off is null ? Vector3.Zero : Vector(step.Off);
-            body.Step(step.Q);
+            body.Step(step.Q, sweepWithoutSpheres: true);
             StepDifference difference = Compare(body, step);
             if (difference == StepDifference.None) equal++;
             else first ??= new Divergence(walk.Id, walk.Scene, i, difference, Describe(body, step));

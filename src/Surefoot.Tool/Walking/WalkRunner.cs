@@ -36,9 +36,9 @@ internal sealed class WalkRunner : IMovementSink
 
     private void RunLegs(WalkScene scene, ScenePlace place, CharacterStats stats, IReadOnlyList<WalkLeg> legs, double latency)
     {
-        PhysicsEngine engine = new(scene.World);
+        scene.Follow(place.Position);
+        PhysicsEngine engine = scene.CreateEngine();
         engine.Tick(1.0);
-        scene.World.EnsureLoadedAround(place.Position.CellId, WalkScene.LoadRadius);
         LocalPlayer player = LocalPlayer.Spawn(
             engine, WalkScene.PlayerId, scene.PlayerSetup, scene.PlayerMotions, place.Position, stats, new LocalPlayerOptions { Latency = latency, Observer = this })
             ?? throw new UsageException($"There is no room for a body at {place.Name}.");
@@ -66,7 +66,7 @@ internal sealed class WalkRunner : IMovementSink
     {
         player.Update(keys, now);
         bool ticked = engine.Tick(now);
-        if (ticked) scene.Follow(engine, player.Body.Position.CellId);
+        if (ticked) scene.Follow(player.Body.Position);
         return ticked;
     }
 

@@ -1,0 +1,150 @@
+using System.Text.Json;
+
+namespace Surefoot.Tool.Tests.Commands;
+
+/// <summary>The command, run as a process.</summary>
+public class CommandTests
+{
+    private static string World => Repository.PathOf("tests", "data", "worlds", "first");
+
+    [Theory, Behaviour("tool.help.has-an-example", "design.md, The tool")]
+    [InlineData]
+    [InlineData("play")]
+    [InlineData("walk")]
+    [InlineData("dats")]
+    [InlineData("dats", "list")]
+    [InlineData("dats", "show")]
+    [InlineData("dats", "verify")]
+    [InlineData("demo")]
+    [InlineData("demo", "write")]
+    [InlineData("demo", "map")]
+    [InlineData("conform")]
+    public async Task Every_command_explains_itself_with_an_example(params string[] command)
+    {
+        CommandLine.Outcome run = await CommandLine.RunAsync([.. command, "--help"]);
+        Assert.Equal(0, run.ExitCode);
+        Assert.Contains("Example:", run.Output, StringComparison.Ordinal);
+    }
+
+    [Theory, Behaviour("tool.usage.exits-with-two", "design.md, The tool")]
+    [InlineData("walk", "--script", "W 1; W+Jmp 2", "character 8")]
+    [InlineData("walk", "--script", "W 1", "--at", "medow", "meadow")]
+    [InlineData("walk", "--script", "W 1", "--run", "-5", "--run 300")]
+    [InlineData("walk", "--script", "W 1", "--jump", "99999", "--jump 300")]
+    [InlineData("walk", "script")]
+    [InlineData("play", "--port", "99999", "65535")]
+    [InlineData("fly", "fly")]
+    public async Task Wrong_usage_says_what_is_right_and_exits_with_two(params string[] commandAndHint)
+    {
+        CommandLine.Outcome run = await CommandLine.RunAsync(commandAndHint[..^1]);
+        Assert.Equal(2, run.ExitCode);
+        Assert.Contains(commandAndHint[^1], run.Error, StringComparison.Ordinal);
+    }
+
+    [Theory, Behaviour("tool.dats.missing-folder-says-what-to-do", "design.md, decision 7")]
+    [InlineData("walk", "--script", "W 1", "--dats")]
+    [InlineData("play", "--no-browser", "--dats")]
+    [InlineData("dats", "verify")]
+    public async Task A_folder_without_dat_files_is_one_line_that_says_how_to_get_a_world(params string[] command)
+    {
+        DirectoryInfo empty = Directory.CreateTempSubdirectory("surefoot-empty");
+        try
+        {
+            CommandLine.Outcome run = await CommandLine.RunAsync([.. command, empty.FullName]);
+            Assert.Equal(1, run.ExitCode);
+            Assert.Single(run.Error.Split('\n', StringSplitOptions.RemoveEmptyEntries));
+            Assert.Contains("client_portal.dat", run.Error, StringComparison.Ordinal);
+            Assert.Contains("surefoot demo write", run.Error, StringComparison.Ordinal);
+        }
+        finally
+        {
+            empty.Delete(recursive: true);
+        }
+    }
+
+    [Fact, Behaviour("tool.walk.runs-at-the-formulas-speed", "spec/01, 4.1 and 6")]
+    public async Task A_scripted_run_covers_the_formulas_distance()
+    {
+        using JsonDocument walk = await WalkAsync("--at", "runway", "--run", "300", "--script", "W 3");
+        JsonElement[] samples = [.. walk.RootElement.GetProperty("samples").EnumerateArray()];
+        JsonElement first = samples.First(s => s.GetProperty("time").GetDouble() >= 1), last = samples[^1];
+        double seconds = last.GetProperty("time").GetDouble() - first.GetProperty("time").GetDouble();
+        double metres = samples.SkipWhile(s => s.GetProperty("time").GetDouble() <= first.GetProperty("time").GetDouble()).Sum(s => s.GetProperty("speed").GetDouble()) * seconds /
+                        samples.Count(s => s.GetProperty("time").GetDouble() > first.GetProperty("time").GetDouble());
+        Assert.InRange(metres / seconds, 10.6 * 0.98, 10.6 * 1.02);
+    }
+
+    [Fact, Behaviour("tool.walk.jumps", "spec/01, 4.12")]
+    public async Task A_scripted_jump_is_told_with_its_extent_and_velocity()
+    {
+        using JsonDocument walk = await WalkAsync("--at", "meadow", "--jump", "300", "--script", "Space 1.2; Wait 3");
+        string[] events = [.. walk.RootElement.GetProperty("events").EnumerateArray().Select(e => e.GetProperty("what").GetString()!)];
+        Assert.Contains(events, e => e.StartsWith("sends Jump: extent 1.000, velocity (0.00, 0.00, 9.09)", StringComparison.Ordinal));
+        Assert.Contains("leaves the ground", events);
+    }
+
+    [Fact, Behaviour("tool.walk.draws-a-picture", "design.md, The tool")]
+    public async Task A_walk_draws_a_self_contained_picture()
+    {
+        string file = Path.Combine(Directory.CreateTempSubdirectory("surefoot-picture").FullName, "walk.html");
+        try
+        {
+            CommandLine.Outcome run = await CommandLine.RunAsync("walk", "--script", "W 2; W+Space 0.6; W 1", "--html", file);
+            Assert.Equal(0, run.ExitCode);
+            string html = await File.ReadAllTextAsync(file);
+            Assert.Contains("path from above", html, StringComparison.Ordinal);
+            Assert.Contains("path in profile", html, StringComparison.Ordinal);
+            Assert.DoesNotContain("http", html, StringComparison.Ordinal);
+        }
+        finally
+        {
+            Directory.GetParent(file)!.Delete(recursive: true);
+        }
+    }
+
+    [Fact, Behaviour("tool.dats.verifies-a-foreign-world", "spec/07")]
+    public async Task Every_record_of_a_world_written_by_another_library_is_identical_after_encoding()
+    {
+        CommandLine.Outcome run = await CommandLine.RunAsync("dats", "verify", World, "--json");
+        Assert.Equal(0, run.ExitCode);
+        using JsonDocument summary = JsonDocument.Parse(run.Output);
+        Assert.Equal(0, summary.RootElement.GetProperty("different").GetInt32());
+        Assert.Equal(0, summary.RootElement.GetProperty("failed").GetInt32());
+        Assert.True(summary.RootElement.GetProperty("identical").GetInt32() > 100);
+    }
+
+    [Fact, Behaviour("tool.dats.shows-a-record", "spec/07, 7.6")]
+    public async Task A_record_is_shown_as_text_and_as_json()
+    {
+        CommandLine.Outcome text = await CommandLine.RunAsync("dats", "show", World, "02000001");
+        Assert.Equal(0, text.ExitCode);
+        Assert.Contains("0.48", text.Output, StringComparison.Ordinal);
+        CommandLine.Outcome json = await CommandLine.RunAsync("dats", "show", World, "0x02000001", "--json");
+        using JsonDocument record = JsonDocument.Parse(json.Output);
+        Assert.Equal(JsonValueKind.Object, record.RootElement.ValueKind);
+        Assert.Equal(1, (await CommandLine.RunAsync("dats", "show", World, "02FFFFFF")).ExitCode);
+        Assert.Equal(2, (await CommandLine.RunAsync("dats", "show", World, "xyz")).ExitCode);
+    }
+
+    [Fact, Behaviour("tool.demo.writes-readable-files", "spec/07")]
+    public async Task The_demo_world_is_written_as_files_that_verify()
+    {
+        DirectoryInfo folder = Directory.CreateTempSubdirectory("surefoot-demo");
+        try
+        {
+            Assert.Equal(0, (await CommandLine.RunAsync("demo", "write", folder.FullName)).ExitCode);
+            Assert.Equal(0, (await CommandLine.RunAsync("dats", "verify", folder.FullName)).ExitCode);
+        }
+        finally
+        {
+            folder.Delete(recursive: true);
+        }
+    }
+
+    private static async Task<JsonDocument> WalkAsync(params string[] arguments)
+    {
+        CommandLine.Outcome run = await CommandLine.RunAsync(["walk", "--json", .. arguments]);
+        Assert.True(run.ExitCode == 0, run.Error);
+        return JsonDocument.Parse(run.Output);
+    }
+}
