@@ -1,4 +1,5 @@
 using System.Numerics;
+using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.World;
 
@@ -99,13 +100,33 @@ public class DemoWorldTests(DemoFiles files) : IClassFixture<DemoFiles>
         Assert.True(highest < walk.RestHeight + 2, $"climbed from {walk.RestHeight} to {highest}");
     }
 
-    [Fact]
-    [Behaviour("acceptance.cliff-falls-and-lands", "design; spec/02, 4.10 and 4.13")]
-    public void Running_off_a_cliff_falls_and_lands_with_contact()
+    [Theory]
+    [Behaviour("acceptance.cliff-falls-and-lands", "design; spec/02, 4.10 and 4.13; spec/03, edge_slide case A")]
+    [InlineData(MovementKeys.Forward)]
+    [InlineData(MovementKeys.Forward | MovementKeys.Walk)]
+    public void Going_off_a_cliff_falls_and_lands_with_contact(MovementKeys keys)
     {
         DemoWalk walk = new(files, "cliff-edge", new CharacterStats(300, 300));
+        walk.Body.SetState(walk.Body.State & ~PhysicsState.EdgeSlide);
+        AssertFallsAndLands(walk, keys);
+    }
+
+    [Fact]
+    [Behaviour("acceptance.cliff-holds-a-player-until-it-jumps", "spec/02, 2.2; spec/03, edge_slide cases B to E")]
+    public void A_player_is_held_at_the_brink_and_jumps_off_it()
+    {
+        // Players have the edge slide bit: on foot they do not go over a brink.
+        DemoWalk walk = new(files, "cliff-edge", new CharacterStats(300, 300));
+        walk.Hold(MovementKeys.Forward, 60, () => Assert.True(walk.Body.OnWalkable));
+        Assert.Equal(walk.RestHeight, walk.Z, 1e-3f);
+        walk.Hold(MovementKeys.Forward | MovementKeys.Jump, 15);
+        AssertFallsAndLands(walk, MovementKeys.Forward);
+    }
+
+    private static void AssertFallsAndLands(DemoWalk walk, MovementKeys keys)
+    {
         bool fell = false;
-        walk.Hold(MovementKeys.Forward, 240, () => fell |= !walk.Body.HasContact);
+        walk.Hold(keys, 150, () => fell |= !walk.Body.HasContact);
         Assert.True(fell);
         walk.Hold(MovementKeys.None, 240);
         Assert.True(walk.Body.HasContact);
