@@ -96,3 +96,10 @@ internal sealed class HexadecimalConverter : WriteOnlyConverter<object>
         writer.WriteEndArray();
     }
 }
+
+/// <summary>Bytes as one text of hexadecimal digits.</summary>
+internal sealed class HexBytesConverter : WriteOnlyConverter<ImmutableArray<byte>>
+{
+    public override void Write(Utf8JsonWriter writer, ImmutableArray<byte> value, JsonSerializerOptions options)
+        => writer.WriteStringValue(Convert.ToHexString(value.AsSpan()));
+}

@@ -30,7 +30,18 @@ public static class RecordText
     public static string ToText(DatRecord record)
     {
         var text = new StringBuilder();
-        Append(text, ToJsonNode(record), 0);
+        JsonNode members = ToJsonNode(record);
+        if (record is RawRecord raw)
+        {
+            members["bytes"] = raw.Bytes.Length;
+            Append(text, members, 0);
+            AppendDump(text, raw.Bytes.AsSpan());
+        }
+        else
+        {
+            Append(text, members, 0);
+        }
+
         return text.ToString();
     }
 
@@ -88,6 +99,18 @@ public static class RecordText
         text.AppendLine();
     }
 
+    private static void AppendDump(StringBuilder text, ReadOnlySpan<byte> bytes)
+    {
+        const int row = 16;
+        for (int i = 0; i < bytes.Length; i += row)
+        {
+            text.Append($"{i:X4} ");
+            foreach (byte value in bytes[i..Math.Min(i + row, bytes.Length)])
+                text.Append($" {value:X2}");
+            text.AppendLine();
+        }
+    }
+
     // Null when it does not fit, or is a list of objects or lists.
     private static string? InOneLine(JsonNode? node, int width)
     {
@@ -111,12 +134,18 @@ public static class RecordText
         _ => true,
     };
 
-    private static string Word(JsonNode? value) => value is null ? "none" : value.ToString();
+    private static string Word(JsonNode? value) => value?.ToString() switch
+    {
+        null => "none",
+        "4294967295" => "0xFFFFFFFF",
+        string word => word,
+    };
 
     private static JsonSerializerOptions CreateOptions(bool indented)
     {
         var resolver = new DefaultJsonTypeInfoResolver();
         resolver.Modifiers.Add(WriteIdsInHexadecimal);
+        resolver.Modifiers.Add(OmitWhatNodesDoNotStore);
         return new JsonSerializerOptions
         {
             WriteIndented = indented,
@@ -135,16 +164,40 @@ public static class RecordText
         };
     }
 
-    // Members named …Id or …Ids, keys and styles of motion tables, and cells are what people look up in hexadecimal.
+    // Members named …Id or …Ids, cells, and keys and styles of motion tables are what people look up in hexadecimal.
     private static void WriteIdsInHexadecimal(JsonTypeInfo type)
     {
+        bool isMotion = type.Type.Name.Contains("Motion", StringComparison.Ordinal);
         foreach (JsonPropertyInfo member in type.Properties)
         {
             bool isId = member.Name.EndsWith("id", StringComparison.OrdinalIgnoreCase)
                 || member.Name.EndsWith("ids", StringComparison.OrdinalIgnoreCase)
-                || (type.Type.Name.Contains("Motion", StringComparison.Ordinal) && member.PropertyType == typeof(uint));
-            if (isId && HexadecimalConverter.Handles(member.PropertyType))
+                || member.Name is "otherCell" or "stabCells" or "visibleCells"
+                || (isMotion && member.PropertyType == typeof(uint));
+            if (type.Type == typeof(RawRecord) && member.Name == "bytes")
+                member.CustomConverter = new HexBytesConverter();
+            else if (isId && HexadecimalConverter.Handles(member.PropertyType))
                 member.CustomConverter = new HexadecimalConverter();
+        }
+    }
+
+    private static void OmitWhatNodesDoNotStore(JsonTypeInfo type)
+    {
+        if (type.Type != typeof(BspNode))
+            return;
+        foreach (JsonPropertyInfo member in type.Properties)
+        {
+            Func<BspNode, bool>? stores = member.Name switch
+            {
+                "plane" => static node => !node.IsLeaf,
+                "positive" => static node => node.Positive != BspNode.None,
+                "negative" => static node => node.Negative != BspNode.None,
+                "leafIndex" or "solid" => static node => node.IsLeaf,
+                "portals" => static node => !node.Portals.IsEmpty,
+                _ => null,
+            };
+            if (stores is not null)
+                member.ShouldSerialize = (node, _) => stores((BspNode)node);
         }
     }
 }
