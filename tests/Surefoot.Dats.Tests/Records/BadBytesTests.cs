@@ -24,14 +24,16 @@ public sealed class BadBytesTests
     [Behaviour("dats.bad-bytes.truncated", Source)]
     public void A_truncated_record_is_a_format_error(string name)
     {
+        DatRecordType type = TypeOf(name)!.Value;
+        uint id = TestData.SampleId(name);
         byte[] bytes = TestData.SampleBytes(name);
         for (int length = 0; length < bytes.Length; length++)
         {
             byte[] part = bytes[..length];
-            Assert.True(Try(name, part), $"{name} cut to {length} bytes was accepted");
+            Assert.True(Try(type, id, part), $"{name} cut to {length} bytes was accepted");
         }
 
-        Assert.False(Try(name, bytes));
+        Assert.False(Try(type, id, bytes));
     }
 
     [Theory]
@@ -39,6 +41,8 @@ public sealed class BadBytesTests
     [Behaviour("dats.bad-bytes.one-byte", Source)]
     public void A_record_with_one_wrong_byte_is_a_value_or_a_format_error(string name)
     {
+        DatRecordType type = TypeOf(name)!.Value;
+        uint id = TestData.SampleId(name);
         byte[] bytes = TestData.SampleBytes(name);
         byte[] values = [0x00, 0x01, 0x7F, 0x80, 0xFF];
         for (int i = 0; i < bytes.Length; i++)
@@ -47,11 +51,11 @@ public sealed class BadBytesTests
             foreach (byte value in values)
             {
                 bytes[i] = value;
-                Try(name, bytes);
+                Try(type, id, bytes);
             }
 
             bytes[i] = (byte)(original ^ (1 << (i % 8)));
-            Try(name, bytes);
+            Try(type, id, bytes);
             bytes[i] = original;
         }
     }
@@ -61,6 +65,8 @@ public sealed class BadBytesTests
     [Behaviour("dats.bad-bytes.hostile-count", "issue 3, item 2 (a count of 0xFFFFFFFF must not allocate)")]
     public void A_count_of_FFFFFFFF_allocates_nothing(string name)
     {
+        DatRecordType type = TypeOf(name)!.Value;
+        uint id = TestData.SampleId(name);
         byte[] bytes = TestData.SampleBytes(name);
         foreach (uint count in new[] { 0xFFFFFFFFu, 0x7FFFFFFFu, 0x10000000u })
         {
@@ -68,7 +74,7 @@ public sealed class BadBytesTests
             {
                 uint original = BinaryPrimitives.ReadUInt32LittleEndian(bytes.AsSpan(i));
                 BinaryPrimitives.WriteUInt32LittleEndian(bytes.AsSpan(i), count);
-                Try(name, bytes);
+                Try(type, id, bytes);
                 BinaryPrimitives.WriteUInt32LittleEndian(bytes.AsSpan(i), original);
             }
         }
@@ -124,8 +130,6 @@ public sealed class BadBytesTests
         DatRecordType type = DatIds.RecordTypeOf(id, id >= 0x80000000 ? DatFileKind.Cell : DatFileKind.Portal);
         return DatRecords.Decode(type, id, new ReadOnlySequence<byte>(TestData.SampleBytes(sample))) is RawRecord ? null : type;
     }
-
-    private static bool Try(string sample, byte[] bytes) => Try(TypeOf(sample)!.Value, TestData.SampleId(sample), bytes);
 
     // True for a format error; any other exception fails the test.
     private static bool Try(DatRecordType type, uint id, byte[] bytes)
