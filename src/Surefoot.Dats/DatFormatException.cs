@@ -8,7 +8,7 @@ public sealed class DatFormatException : Exception
     /// <summary>Creates the error.</summary>
     /// <param name="file">Name or path of the file; empty when the bytes came from elsewhere.</param>
     /// <param name="recordId">The record being read; null when the container itself is at fault.</param>
-    /// <param name="offset">Bytes from the start of the record, or from the start of the file when <paramref name="recordId"/> is null.</param>
+    /// <param name="offset">Bytes from the start of the record, or of the file when <paramref name="recordId"/> is null.</param>
     /// <param name="message">What is wrong there.</param>
     /// <param name="inner">The cause, where there is one.</param>
     public DatFormatException(string file, uint? recordId, long offset, string message, Exception? inner = null)

@@ -54,11 +54,17 @@ public sealed class DatSet : IDatSource, ITypedDatSource, IDisposable
     {
         ArgumentException.ThrowIfNullOrEmpty(folder);
         if (!Directory.Exists(folder))
-            throw new DatFolderException(folder, File.Exists(folder) ? $"'{folder}' is a file, not a folder" : $"There is no folder '{folder}'");
+        {
+            bool isFile = File.Exists(folder);
+            throw new DatFolderException(folder, isFile ? $"'{folder}' is a file, not a folder" : $"There is no folder '{folder}'");
+        }
+
         string? portalPath = Find(folder, PortalName), cellPath = Find(folder, CellName);
-        string missing = string.Join(" and ", new[] { portalPath is null ? PortalName : "", cellPath is null ? CellName : "" }.Where(name => name.Length > 0));
         if (portalPath is null || cellPath is null)
+        {
+            string missing = portalPath is not null ? CellName : cellPath is not null ? PortalName : $"{PortalName} and {CellName}";
             throw new DatFolderException(folder, $"'{folder}' has no {missing}");
+        }
 
         var opened = new List<DatFile>();
         try

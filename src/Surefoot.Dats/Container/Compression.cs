@@ -17,12 +17,12 @@ internal static class Compression
     public static ReadOnlySequence<byte> Unpack(ReadOnlySequence<byte> stored, uint recordId, string file)
     {
         if (stored.Length < LeastStored)
-            throw new DatFormatException(file, recordId, 0, $"a compressed record of {stored.Length} bytes; at least {LeastStored} are needed");
+            throw new DatFormatException(file, recordId, 0, $"a compressed record of {stored.Length} bytes; {LeastStored} are the least");
         Span<byte> head = stackalloc byte[SizeBytes];
         stored.Slice(0, SizeBytes).CopyTo(head);
         uint size = BinaryPrimitives.ReadUInt32LittleEndian(head);
         if (size > GreatestUnpacked || size > stored.Length * GreatestRatio)
-            throw new DatFormatException(file, recordId, 0, $"an unpacked size of {size} bytes is impossible for {stored.Length} stored ones");
+            throw new DatFormatException(file, recordId, 0, $"{stored.Length} stored bytes cannot unpack to {size} bytes");
         try
         {
             using var zlib = new ZLibStream(new MemoryStream(stored.Slice(SizeBytes).ToArray()), CompressionMode.Decompress);

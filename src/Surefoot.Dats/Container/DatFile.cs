@@ -113,7 +113,8 @@ public sealed class DatFile : IDatSource, ITypedDatSource, IDisposable
 
     /// <summary>A node of the directory, for tests of its shape.</summary>
     internal DirectoryNode ReadNode(uint offset)
-        => new DirectoryReader(blocks, map.Length).ReadNode(offset, out string problem) ?? throw new DatFormatException(Path, null, offset, problem);
+        => new DirectoryReader(blocks, map.Length).ReadNode(offset, out string problem)
+            ?? throw new DatFormatException(Path, null, offset, problem);
 
     private List<DatRemark> FindRemarks()
     {

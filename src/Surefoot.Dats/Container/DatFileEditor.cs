@@ -24,7 +24,7 @@ public sealed class DatFileEditor : IDisposable
     }
 
     /// <summary>Opens a copy of a file for changes.</summary>
-    /// <exception cref="DatFormatException">It is no dat file, its directory is damaged, or it was left in the middle of a write.</exception>
+    /// <exception cref="DatFormatException">It is no dat file, its directory is damaged, or a write to it was interrupted.</exception>
     public static DatFileEditor Open(string path)
     {
         DatHeader header;
@@ -34,7 +34,10 @@ public sealed class DatFileEditor : IDisposable
             if (header.Transaction != 0)
                 throw new DatFormatException(path, null, 0x100, "the file was left in the middle of a write; it must not be changed");
             if (file.Damage.Count > 0)
-                throw new DatFormatException(path, null, file.Damage[0].Offset, $"the directory is damaged, the file must not be changed: {file.Damage[0].Message}");
+            {
+                DatRemark first = file.Damage[0];
+                throw new DatFormatException(path, null, first.Offset, $"the damaged directory forbids changes: {first.Message}");
+            }
         }
 
         string temporary = path + ".new";
@@ -61,7 +64,7 @@ public sealed class DatFileEditor : IDisposable
     {
         ObjectDisposedException.ThrowIf(done, this);
         if (id == 0 || bytes.IsEmpty)
-            throw new ArgumentException(id == 0 ? "Id 0 means no record." : $"Record 0x{id:X8} is empty; the retail client cannot load that.", nameof(id));
+            throw new ArgumentException(id == 0 ? "Id 0 means no record." : $"Record 0x{id:X8} is empty.", nameof(id));
         bool exists = tree.TryFind(id, out DatEntry old);
         if (exists && iteration != 0 && old.Iteration > iteration)
             return false;

@@ -3,7 +3,8 @@ using Surefoot.Dats.Records;
 
 namespace Surefoot.Dats;
 
-/// <summary>Writes a whole dat file that the retail client and other readers accept (spec 07, 5.1): the same records give the same bytes.
+/// <summary>Writes a whole dat file that the retail client and other readers accept (spec 07, 5.1).
+/// The same records give the same bytes.
 /// <code>new DatFileWriter(path, DatFileKind.Cell).Add(block).Add(info).Complete();</code></summary>
 /// <remarks>Records are kept in memory until <see cref="Complete"/>, which writes beside the path and then renames.</remarks>
 public sealed class DatFileWriter
@@ -53,7 +54,7 @@ public sealed class DatFileWriter
     /// <summary>Adds a record by its bytes.</summary>
     /// <param name="id">Its id.</param>
     /// <param name="bytes">All its bytes, at least 1.</param>
-    /// <param name="compress">Store it as a zlib stream where that is smaller. Some readers cannot take that, so it is off by default.</param>
+    /// <param name="compress">Store it as a zlib stream where that is smaller; some readers cannot take that.</param>
     /// <exception cref="ArgumentException">The id is taken, 0 or the iteration record's, or there are no bytes.</exception>
     public DatFileWriter Add(uint id, ReadOnlySpan<byte> bytes, bool compress = false)
     {

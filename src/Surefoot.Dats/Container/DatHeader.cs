@@ -65,7 +65,7 @@ public sealed record DatHeader
     internal static DatHeader Read(ReadOnlySpan<byte> bytes, long fileLength, string file)
     {
         if (bytes.Length < ByteSize)
-            throw new DatFormatException(file, null, 0, $"a dat file begins with {ByteSize} bytes of header, but this one has {fileLength} bytes");
+            throw new DatFormatException(file, null, 0, $"the header of a dat file has {ByteSize} bytes, this file {fileLength}");
         uint magic = At(bytes, MagicOffset), blockSize = At(bytes, 0x144), type = At(bytes, 0x14C), root = At(bytes, 0x160);
         if (magic != Magic)
             throw new DatFormatException(file, null, MagicOffset, $"this is no dat file: the magic is 0x{magic:X} instead of 0x{Magic:X}");

@@ -10,7 +10,7 @@ namespace Surefoot.Dats;
 /// <param name="reader">Stands at the element, and behind it afterwards.</param>
 public delegate T ReadElement<out T>(ref DatReader reader);
 
-/// <summary>A cursor over the bytes of one record (spec 07, section 2). Every read past the end is a <see cref="DatFormatException"/>.</summary>
+/// <summary>A cursor over the bytes of a record (spec 07, section 2). A read past the end is a <see cref="DatFormatException"/>.</summary>
 public ref struct DatReader
 {
     private readonly ICollection<DatRemark>? remarks;

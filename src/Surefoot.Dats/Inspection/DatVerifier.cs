@@ -42,7 +42,7 @@ public readonly record struct DatVerifyProgress(int Done, int Total);
 /// <summary>Reads, decodes and encodes again every record of files: <c>surefoot dats verify</c>.</summary>
 public static class DatVerifier
 {
-    /// <summary>Verifies all files of a folder, lazily, a result a record. Damage of a directory comes as a failed result with id 0.</summary>
+    /// <summary>Verifies all files of a folder, lazily, a result a record. A damaged directory is a failed result with id 0.</summary>
     /// <param name="set">The folder.</param>
     /// <param name="progress">Called after each record, on the caller's thread; null for none.</param>
     /// <param name="cancellation">Ends the walk with an <see cref="OperationCanceledException"/>.</param>
@@ -73,7 +73,8 @@ public static class DatVerifier
     {
         DatRecordType type = DatIds.RecordTypeOf(id, file.Kind);
         var remarks = new List<DatRemark>();
-        DatVerifyResult Result(DatVerifyOutcome outcome, long size, string message = "") => new(file.Path, id, type, size, outcome, message, remarks);
+        DatVerifyResult Result(DatVerifyOutcome outcome, long size, string message = "")
+            => new(file.Path, id, type, size, outcome, message, remarks);
 
         try
         {

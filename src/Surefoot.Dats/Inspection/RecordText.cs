@@ -130,7 +130,8 @@ public static class RecordText
     private static bool IsFlat(JsonNode node) => node switch
     {
         JsonArray list => list.All(static element => element is JsonValue),
-        JsonObject members => members.All(static member => member.Value is JsonValue or null || (member.Value is JsonArray && IsFlat(member.Value))),
+        JsonObject members => members.All(
+            static member => member.Value is JsonValue or null || (member.Value is JsonArray && IsFlat(member.Value))),
         _ => true,
     };
 

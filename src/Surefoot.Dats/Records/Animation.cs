@@ -32,7 +32,8 @@ public sealed class Animation : DatRecord, IDatRecord<Animation>
     /// <summary>Parts of each frame.</summary>
     public uint PartCount { get; init; }
 
-    /// <summary>Motion of the whole body in each frame, in its own axes; metres. Empty without <see cref="AnimationFlags.HasRootMotion"/>.</summary>
+    /// <summary>Motion of the whole body in each frame, in its own axes; metres. Empty without
+    /// <see cref="AnimationFlags.HasRootMotion"/>.</summary>
     public ImmutableArray<DatFrame> RootMotion { get; init; } = [];
 
     /// <summary>The frames.</summary>

@@ -14,20 +14,20 @@ public static class DatRecords
     /// <exception cref="DatFormatException">The bytes are no such record.</exception>
     public static DatRecord Decode(
         DatRecordType type, uint id, ReadOnlySequence<byte> bytes, string file = "", ICollection<DatRemark>? remarks = null) => type switch
-    {
-        DatRecordType.Iteration => DatRecord.Decode<IterationRecord>(id, bytes, file, remarks),
-        DatRecordType.GfxObj => DatRecord.Decode<GfxObj>(id, bytes, file, remarks),
-        DatRecordType.Setup => DatRecord.Decode<Setup>(id, bytes, file, remarks),
-        DatRecordType.Animation => DatRecord.Decode<Animation>(id, bytes, file, remarks),
-        DatRecordType.MotionTable => DatRecord.Decode<MotionTable>(id, bytes, file, remarks),
-        DatRecordType.Environment => DatRecord.Decode<CellEnvironment>(id, bytes, file, remarks),
-        DatRecordType.Scene => DatRecord.Decode<Scene>(id, bytes, file, remarks),
-        DatRecordType.Region => DatRecord.Decode<Region>(id, bytes, file, remarks),
-        DatRecordType.LandBlock => DatRecord.Decode<LandBlock>(id, bytes, file, remarks),
-        DatRecordType.LandBlockInfo => DatRecord.Decode<LandBlockInfo>(id, bytes, file, remarks),
-        DatRecordType.EnvCell => DatRecord.Decode<EnvCell>(id, bytes, file, remarks),
-        _ => RawRecord.FromBytes(id, type, bytes),
-    };
+        {
+            DatRecordType.Iteration => DatRecord.Decode<IterationRecord>(id, bytes, file, remarks),
+            DatRecordType.GfxObj => DatRecord.Decode<GfxObj>(id, bytes, file, remarks),
+            DatRecordType.Setup => DatRecord.Decode<Setup>(id, bytes, file, remarks),
+            DatRecordType.Animation => DatRecord.Decode<Animation>(id, bytes, file, remarks),
+            DatRecordType.MotionTable => DatRecord.Decode<MotionTable>(id, bytes, file, remarks),
+            DatRecordType.Environment => DatRecord.Decode<CellEnvironment>(id, bytes, file, remarks),
+            DatRecordType.Scene => DatRecord.Decode<Scene>(id, bytes, file, remarks),
+            DatRecordType.Region => DatRecord.Decode<Region>(id, bytes, file, remarks),
+            DatRecordType.LandBlock => DatRecord.Decode<LandBlock>(id, bytes, file, remarks),
+            DatRecordType.LandBlockInfo => DatRecord.Decode<LandBlockInfo>(id, bytes, file, remarks),
+            DatRecordType.EnvCell => DatRecord.Decode<EnvCell>(id, bytes, file, remarks),
+            _ => RawRecord.FromBytes(id, type, bytes),
+        };
 
     /// <summary>Reads and decodes a record of one file.</summary>
     /// <exception cref="DatRecordMissingException">There is no such record.</exception>

@@ -172,7 +172,8 @@ public sealed class EnvCell : DatRecord, IDatRecord<EnvCell>
 
     private ushort LowWord(uint id, uint baseId)
     {
-        DatWriter.Require((id & 0xFFFF0000) == baseId, $"EnvCell 0x{Id:X8} can only refer to 0x{baseId:X8} … 0x{baseId | 0xFFFF:X8}, not 0x{id:X8}.");
+        DatWriter.Require(
+            (id & 0xFFFF0000) == baseId, $"EnvCell 0x{Id:X8} can only refer to 0x{baseId:X8} … 0x{baseId | 0xFFFF:X8}, not 0x{id:X8}.");
         return (ushort)id;
     }
 }

@@ -185,8 +185,12 @@ public sealed record DatPolygon
     internal static void Write(DatWriter writer, DatPolygon polygon)
     {
         int points = DatWriter.RequireCount(polygon.Vertices.Length, sbyte.MaxValue, "points of a polygon");
-        DatWriter.Require(polygon.PositiveUVs.Length == (polygon.HasPositiveUVs ? points : 0), "The positive texture points of a polygon do not fit its points and stippling.");
-        DatWriter.Require(polygon.NegativeUVs.Length == (polygon.HasNegativeUVs ? points : 0), "The negative texture points of a polygon do not fit its points, sides and stippling.");
+        DatWriter.Require(
+            polygon.PositiveUVs.Length == (polygon.HasPositiveUVs ? points : 0),
+            "The positive texture points of a polygon do not fit its points and stippling.");
+        DatWriter.Require(
+            polygon.NegativeUVs.Length == (polygon.HasNegativeUVs ? points : 0),
+            "The negative texture points of a polygon do not fit its points, sides and stippling.");
         writer.WriteUInt16(polygon.Key);
         writer.WriteByte((byte)points);
         writer.WriteByte((byte)polygon.Stippling);

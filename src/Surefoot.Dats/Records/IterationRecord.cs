@@ -14,7 +14,7 @@ public sealed class IterationRecord : DatRecord, IDatRecord<IterationRecord>
     /// <summary>How many iteration numbers the file contains.</summary>
     public required int Count { get; init; }
 
-    /// <summary>The words behind the count as stored: a negative −k followed by s is the run s … s+k−1, others are single numbers.</summary>
+    /// <summary>The words behind the count as stored: −k followed by s is the run s … s+k−1, others are single numbers.</summary>
     public ImmutableArray<int> Words { get; init; } = [];
 
     /// <summary>The record of iterations 1 to <paramref name="count"/>, in the form that all readers take.</summary>

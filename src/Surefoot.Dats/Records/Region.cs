@@ -32,13 +32,27 @@ public enum RegionParts : uint
 /// <param name="SkyHeight">Metres.</param>
 /// <param name="RoadWidth">Metres.</param>
 public readonly record struct RegionLand(
-    int BlocksX, int BlocksY, float SquareLength, int SquaresPerSide, int VerticesPerCell, float MaxObjectHeight, float SkyHeight, float RoadWidth)
+    int BlocksX,
+    int BlocksY,
+    float SquareLength,
+    int SquaresPerSide,
+    int VerticesPerCell,
+    float MaxObjectHeight,
+    float SkyHeight,
+    float RoadWidth)
 {
     /// <summary>The values that retail uses.</summary>
     public static RegionLand Retail { get; } = new(255, 255, 24, 8, 1, 200, 1000, 5);
 
     internal static RegionLand Read(ref DatReader reader) => new(
-        reader.ReadInt32(), reader.ReadInt32(), reader.ReadSingle(), reader.ReadInt32(), reader.ReadInt32(), reader.ReadSingle(), reader.ReadSingle(), reader.ReadSingle());
+        reader.ReadInt32(),
+        reader.ReadInt32(),
+        reader.ReadSingle(),
+        reader.ReadInt32(),
+        reader.ReadInt32(),
+        reader.ReadSingle(),
+        reader.ReadSingle(),
+        reader.ReadSingle());
 
     internal void Write(DatWriter writer)
     {
@@ -190,5 +204,6 @@ public sealed class Region : DatRecord, IDatRecord<Region>
 
     private void RequirePart(RegionParts part, bool canBeWritten, bool absent)
         => DatWriter.Require(
-            Parts.HasFlag(part) ? canBeWritten : absent, $"Region 0x{Id:X8}: the mask and the content of the part {part} contradict each other.");
+            Parts.HasFlag(part) ? canBeWritten : absent,
+            $"Region 0x{Id:X8}: the mask and the content of the part {part} contradict each other.");
 }

@@ -13,7 +13,15 @@ namespace Surefoot.Dats.Records;
 /// <param name="ScriptId">Its physics script.</param>
 /// <param name="Properties">Bits.</param>
 public readonly record struct SkyObject(
-    float Begin, float End, float BeginAngle, float EndAngle, float TextureVelocityX, float TextureVelocityY, uint GfxObjId, uint ScriptId, uint Properties)
+    float Begin,
+    float End,
+    float BeginAngle,
+    float EndAngle,
+    float TextureVelocityX,
+    float TextureVelocityY,
+    uint GfxObjId,
+    uint ScriptId,
+    uint Properties)
 {
     internal const int Size = 36;
 

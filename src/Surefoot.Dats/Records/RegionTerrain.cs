@@ -17,7 +17,8 @@ public sealed record AmbientSounds(uint SoundTableId, ImmutableArray<AmbientSoun
 {
     internal static AmbientSounds Read(ref DatReader reader) => new(
         reader.ReadUInt32(),
-        reader.ReadList(20, static (ref r) => new AmbientSound(r.ReadUInt32(), r.ReadSingle(), r.ReadSingle(), r.ReadSingle(), r.ReadSingle())));
+        reader.ReadList(
+            20, static (ref r) => new AmbientSound(r.ReadUInt32(), r.ReadSingle(), r.ReadSingle(), r.ReadSingle(), r.ReadSingle())));
 
     internal static void Write(DatWriter writer, AmbientSounds sounds)
     {

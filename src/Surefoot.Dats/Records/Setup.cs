@@ -24,7 +24,8 @@ public enum SetupFlags : uint
 }
 
 /// <summary>A place on a part where something is held or connected.</summary>
-/// <param name="Location">1 right hand, 2 left hand, 3 shield, 4 belt, 5 quiver, 6 heraldry, 7 mouth, 8 left weapon, 9 left unarmed.</param>
+/// <param name="Location">1 right hand, 2 left hand, 3 shield, 4 belt, 5 quiver, 6 heraldry, 7 mouth, 8 left weapon,
+/// 9 left unarmed.</param>
 /// <param name="Part">Index of the part.</param>
 /// <param name="Frame">In the part's coordinates.</param>
 public readonly record struct SetupLocation(uint Location, uint Part, DatFrame Frame);

@@ -6,14 +6,13 @@ namespace Surefoot.Dats.Tests;
 /// <summary>Files that are broken: reported, never another exception than <see cref="DatFormatException"/>, a hang or endless memory.</summary>
 public sealed class DamagedFileTests
 {
-    private const string Source = "spec/07, 4.1, 4.2, 5.4";
     private const uint Slab = 0x01000010;
 
     [Theory]
     [InlineData(0)]
     [InlineData(1)]
     [InlineData(0x18F)]
-    [Behaviour("dats.open.too-short", Source)]
+    [Behaviour("dats.open.too-short", "spec/07, 4.1, 4.2, 5.4")]
     public void A_file_shorter_than_its_header_is_a_format_error(int length)
     {
         byte[] bytes = Mini(DatSet.PortalName)[..length];
@@ -30,7 +29,7 @@ public sealed class DamagedFileTests
     [InlineData(0x14C, 4u)]
     [InlineData(0x160, 0x100u)]
     [InlineData(0x160, 0x7FFFFFFFu)]
-    [Behaviour("dats.open.wrong-header", Source)]
+    [Behaviour("dats.open.wrong-header", "spec/07, 4.1, 4.2, 5.4")]
     public void A_wrong_header_is_a_format_error_that_says_where(int offset, uint value)
     {
         byte[] bytes = Mini(DatSet.PortalName);
@@ -40,29 +39,29 @@ public sealed class DamagedFileTests
     }
 
     [Fact]
-    [Behaviour("dats.chain.ends-early", Source)]
+    [Behaviour("dats.chain.ends-early", "spec/07, 4.1, 4.2, 5.4")]
     public void A_chain_that_ends_early_is_a_format_error()
         => AssertRecordError(bytes => ReaderTests.Patch(bytes, First(bytes, 0x0D000001), 0), 0x0D000001, "ends");
 
     [Fact]
-    [Behaviour("dats.chain.free-block", Source)]
+    [Behaviour("dats.chain.free-block", "spec/07, 4.1, 4.2, 5.4")]
     public void A_chain_into_a_free_block_is_a_format_error()
         => AssertRecordError(bytes => ReaderTests.Patch(bytes, First(bytes, 0x0D000001), 0x80001000), 0x0D000001, "free block");
 
     [Fact]
-    [Behaviour("dats.chain.loop", Source)]
+    [Behaviour("dats.chain.loop", "spec/07, 4.1, 4.2, 5.4")]
     public void A_chain_that_comes_back_is_a_format_error()
         => AssertRecordError(bytes => ReaderTests.Patch(bytes, First(bytes, 0x0D000001), (uint)First(bytes, 0x0D000001)), 0x0D000001, "comes back");
 
     [Fact]
-    [Behaviour("dats.chain.outside", Source)]
+    [Behaviour("dats.chain.outside", "spec/07, 4.1, 4.2, 5.4")]
     public void A_chain_that_leaves_the_file_is_a_format_error()
         => AssertRecordError(bytes => ReaderTests.Patch(bytes, First(bytes, 0x0D000001), (uint)bytes.Length - 2), 0x0D000001, "outside");
 
     [Theory]
     [InlineData(0u)]
     [InlineData(0xFFFFFFFFu)]
-    [Behaviour("dats.chain.offset-outside", Source)]
+    [Behaviour("dats.chain.offset-outside", "spec/07, 4.1, 4.2, 5.4")]
     public void An_entry_that_points_outside_is_a_format_error(uint offset)
         => AssertRecordError(bytes => ReaderTests.Patch(bytes, ReaderTests.EntryOffset(bytes, Slab) + 8, offset), Slab, "outside");
 
@@ -85,7 +84,7 @@ public sealed class DamagedFileTests
     }
 
     [Fact]
-    [Behaviour("dats.directory.out-of-order", Source)]
+    [Behaviour("dats.directory.out-of-order", "spec/07, 4.1, 4.2, 5.4")]
     public void A_subtree_out_of_order_is_reported_and_the_rest_is_read()
     {
         byte[] bytes = Mini(DatSet.CellName);
@@ -104,7 +103,7 @@ public sealed class DamagedFileTests
     }
 
     [Fact]
-    [Behaviour("dats.directory.beyond-separator", Source)]
+    [Behaviour("dats.directory.beyond-separator", "spec/07, 4.1, 4.2, 5.4")]
     public void A_subtree_beyond_its_separator_is_reported()
     {
         byte[] bytes = Mini(DatSet.CellName);
@@ -115,7 +114,7 @@ public sealed class DamagedFileTests
     [Theory]
     [InlineData(62u)]
     [InlineData(0xFFFFFFFFu)]
-    [Behaviour("dats.directory.count", Source)]
+    [Behaviour("dats.directory.count", "spec/07, 4.1, 4.2, 5.4")]
     public void A_node_with_too_many_entries_is_reported(uint count)
     {
         byte[] bytes = Mini(DatSet.PortalName);
@@ -128,7 +127,7 @@ public sealed class DamagedFileTests
     }
 
     [Fact]
-    [Behaviour("dats.directory.loop", Source)]
+    [Behaviour("dats.directory.loop", "spec/07, 4.1, 4.2, 5.4")]
     public void A_node_that_is_its_own_child_is_reported()
     {
         byte[] bytes = Mini(DatSet.CellName);
@@ -141,7 +140,7 @@ public sealed class DamagedFileTests
     }
 
     [Fact]
-    [Behaviour("dats.directory.too-deep", Source)]
+    [Behaviour("dats.directory.too-deep", "spec/07, 4.1, 4.2, 5.4")]
     public void A_directory_deeper_than_8_is_reported()
     {
         // Ten nodes without entries, each the only child of the one before, in blocks that hold a whole node.

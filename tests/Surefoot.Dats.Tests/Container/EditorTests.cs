@@ -8,10 +8,8 @@ namespace Surefoot.Dats.Tests;
 /// <summary>Changing single records (spec 07, 5.2 and 5.3).</summary>
 public sealed class EditorTests
 {
-    private const string Source = "spec/07, 5.3";
-
     [Fact]
-    [Behaviour("dats.tree.insert-ascending", Source)]
+    [Behaviour("dats.tree.insert-ascending", "spec/07, 5.3")]
     public void Inserting_1_to_62_in_order_gives_31_over_two_leaves()
     {
         using var folder = new TempFolder();
@@ -20,7 +18,7 @@ public sealed class EditorTests
     }
 
     [Fact]
-    [Behaviour("dats.tree.insert-descending", Source)]
+    [Behaviour("dats.tree.insert-descending", "spec/07, 5.3")]
     public void Inserting_62_to_1_gives_32_over_two_leaves()
     {
         using var folder = new TempFolder();
@@ -29,7 +27,7 @@ public sealed class EditorTests
     }
 
     [Fact]
-    [Behaviour("dats.tree.delete-separator", Source)]
+    [Behaviour("dats.tree.delete-separator", "spec/07, 5.3")]
     public void Deleting_the_separator_takes_the_smallest_of_the_right_leaf()
     {
         using var folder = new TempFolder();
@@ -38,7 +36,7 @@ public sealed class EditorTests
     }
 
     [Fact]
-    [Behaviour("dats.tree.delete-merges", Source)]
+    [Behaviour("dats.tree.delete-merges", "spec/07, 5.3")]
     public void Deleting_from_thin_leaves_merges_them_into_the_root()
     {
         using var folder = new TempFolder();
@@ -47,7 +45,7 @@ public sealed class EditorTests
     }
 
     [Fact]
-    [Behaviour("dats.tree.any-order", Source)]
+    [Behaviour("dats.tree.any-order", "spec/07, 5.3")]
     public void Any_inserts_replacements_and_deletions_leave_a_sound_file()
         => Gen.Select(Gen.Select(Gen.UInt[1, 300], Gen.Int[0, 900], Gen.Bool).Array[0, 900], Gen.Int[64, 300]).Sample(
             (steps, blockSize) =>
@@ -90,7 +88,7 @@ public sealed class EditorTests
             iter: Fuzz.Cases(15));
 
     [Fact]
-    [Behaviour("dats.tree.many", Source)]
+    [Behaviour("dats.tree.many", "spec/07, 5.3")]
     public void A_tree_of_three_levels_grows_and_shrinks()
     {
         using var folder = new TempFolder();

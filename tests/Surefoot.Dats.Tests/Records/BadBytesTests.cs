@@ -8,7 +8,6 @@ namespace Surefoot.Dats.Tests;
 /// <summary>Whatever the bytes: a value or a <see cref="DatFormatException"/> that names file, record and offset; in bounded memory.</summary>
 public sealed class BadBytesTests
 {
-    private const string Source = "issue 3, item 2";
     private const string FileName = "some.dat";
 
     // Records are at most a few kilobytes here; decoded ones may be some tens of times larger.
@@ -21,7 +20,7 @@ public sealed class BadBytesTests
 
     [Theory]
     [MemberData(nameof(Samples))]
-    [Behaviour("dats.bad-bytes.truncated", Source)]
+    [Behaviour("dats.bad-bytes.truncated", "issue 3, item 2")]
     public void A_truncated_record_is_a_format_error(string name)
     {
         DatRecordType type = TypeOf(name)!.Value;
@@ -38,13 +37,13 @@ public sealed class BadBytesTests
 
     [Theory]
     [MemberData(nameof(Samples))]
-    [Behaviour("dats.bad-bytes.one-byte", Source)]
+    [Behaviour("dats.bad-bytes.one-byte", "issue 3, item 2")]
     public void A_record_with_one_wrong_byte_is_a_value_or_a_format_error(string name)
     {
         DatRecordType type = TypeOf(name)!.Value;
         uint id = TestData.SampleId(name);
         byte[] bytes = TestData.SampleBytes(name);
-        byte[] values = [0x00, 0x01, 0x7F, 0x80, 0xFF];
+        byte[] values = [0x00, 0x80, 0xFF];
         for (int i = 0; i < bytes.Length; i++)
         {
             byte original = bytes[i];
@@ -81,7 +80,7 @@ public sealed class BadBytesTests
     }
 
     [Fact]
-    [Behaviour("dats.bad-bytes.any", Source)]
+    [Behaviour("dats.bad-bytes.any", "issue 3, item 2")]
     public void Any_record_with_some_wrong_bytes_is_a_value_or_a_format_error()
         => Gen.Select(RecordGen.Any, Gen.Int[0, int.MaxValue].Array[1, 4], Gen.Byte.Array[4], Gen.Int[0, 3]).Sample(
             (record, places, values, cut) =>
@@ -95,7 +94,7 @@ public sealed class BadBytesTests
             iter: Fuzz.Cases(3000));
 
     [Fact]
-    [Behaviour("dats.bad-bytes.noise", Source)]
+    [Behaviour("dats.bad-bytes.noise", "issue 3, item 2")]
     public void Noise_is_a_value_or_a_format_error()
         => Gen.Select(RecordGen.Among(Enum.GetValues<DatRecordType>()), Gen.Byte.Array[0, 300]).Sample(
             (type, bytes) =>

@@ -6,10 +6,8 @@ namespace Surefoot.Dats.Tests;
 /// <summary>Shapes parse to the values that come with the samples.</summary>
 public sealed class GeometrySampleTests
 {
-    private const string Source = "data/dat-samples/README.md; spec/07, section 7";
-
     [Fact]
-    [Behaviour("dats.sample.gfxobj", Source)]
+    [Behaviour("dats.sample.gfxobj", "data/dat-samples/README.md; spec/07, section 7")]
     public void Square_gfxobj()
     {
         var shape = TestData.Sample<GfxObj>("gfxobj-01000010");
@@ -34,7 +32,7 @@ public sealed class GeometrySampleTests
     }
 
     [Fact]
-    [Behaviour("dats.sample.gfxobj-smallest", Source)]
+    [Behaviour("dats.sample.gfxobj-smallest", "data/dat-samples/README.md; spec/07, section 7")]
     public void Smallest_gfxobj()
     {
         var shape = TestData.Sample<GfxObj>("gfxobj-01000011");
@@ -49,7 +47,7 @@ public sealed class GeometrySampleTests
     }
 
     [Fact]
-    [Behaviour("dats.sample.gfxobj-box", Source)]
+    [Behaviour("dats.sample.gfxobj-box", "data/dat-samples/README.md; spec/07, section 7")]
     public void Box_gfxobj()
     {
         var shape = TestData.Sample<GfxObj>("gfxobj-01000001");
@@ -103,7 +101,7 @@ public sealed class GeometrySampleTests
     }
 
     [Fact]
-    [Behaviour("dats.sample.gfxobj-every-tag", Source)]
+    [Behaviour("dats.sample.gfxobj-every-tag", "data/dat-samples/README.md; spec/07, section 7")]
     public void Gfxobj_with_every_inner_tag()
     {
         var shape = TestData.Sample<GfxObj>("gfxobj-01000003");
@@ -147,7 +145,7 @@ public sealed class GeometrySampleTests
     }
 
     [Fact]
-    [Behaviour("dats.sample.environment", Source)]
+    [Behaviour("dats.sample.environment", "data/dat-samples/README.md; spec/07, section 7")]
     public void Environment_of_a_floor_and_a_portal()
     {
         CellStruct cell = Assert.Single(TestData.Sample<CellEnvironment>("environment-0D000010").Cells);
@@ -171,7 +169,7 @@ public sealed class GeometrySampleTests
     [Theory]
     [InlineData(0, 20, 12, 10, 2f, 2f, 3.92f, 0f)]
     [InlineData(1, 14, 9, 8, -2f, 6f, 3.92f, 4f)]
-    [Behaviour("dats.sample.environment-rooms", Source)]
+    [Behaviour("dats.sample.environment-rooms", "data/dat-samples/README.md; spec/07, section 7")]
     public void Environment_of_two_rooms(int index, int vertices, int polygons, int walls, float south, float north, float radius, float centreY)
     {
         CellStruct cell = TestData.Sample<CellEnvironment>("environment-0D000001").Cells[index];

@@ -6,12 +6,10 @@ namespace Surefoot.Dats.Tests;
 /// <summary>Setups, animations and motion tables parse to the values that come with the samples.</summary>
 public sealed class ObjectSampleTests
 {
-    private const string Source = "data/dat-samples/README.md; spec/07, section 7";
-
     private static readonly Quaternion QuarterTurn = new(0, 0, 0.70710677f, 0.70710677f);
 
     [Fact]
-    [Behaviour("dats.sample.setup", Source)]
+    [Behaviour("dats.sample.setup", "data/dat-samples/README.md; spec/07, section 7")]
     public void Slab_setup()
     {
         var setup = TestData.Sample<Setup>("setup-02000010");
@@ -33,7 +31,7 @@ public sealed class ObjectSampleTests
     }
 
     [Fact]
-    [Behaviour("dats.sample.setup-body", Source)]
+    [Behaviour("dats.sample.setup-body", "data/dat-samples/README.md; spec/07, section 7")]
     public void Body_setup()
     {
         var setup = TestData.Sample<Setup>("setup-02000001");
@@ -60,7 +58,7 @@ public sealed class ObjectSampleTests
     }
 
     [Fact]
-    [Behaviour("dats.sample.animation", Source)]
+    [Behaviour("dats.sample.animation", "data/dat-samples/README.md; spec/07, section 7")]
     public void Animation_with_root_motion()
     {
         var animation = TestData.Sample<Animation>("animation-03000001");
@@ -75,7 +73,7 @@ public sealed class ObjectSampleTests
     }
 
     [Fact]
-    [Behaviour("dats.sample.animation-hooks", Source)]
+    [Behaviour("dats.sample.animation-hooks", "data/dat-samples/README.md; spec/07, section 7")]
     public void Animation_with_one_hook_of_each_type()
     {
         var animation = TestData.Sample<Animation>("animation-03000002");
@@ -115,7 +113,7 @@ public sealed class ObjectSampleTests
     }
 
     [Fact]
-    [Behaviour("dats.sample.animation-contested-hooks", Source)]
+    [Behaviour("dats.sample.animation-contested-hooks", "data/dat-samples/README.md; spec/07, section 7")]
     public void Animation_with_the_contested_hooks_in_retail_form()
     {
         AnimFrame frame = Assert.Single(TestData.Sample<Animation>("animation-03000003").Frames);
@@ -131,7 +129,7 @@ public sealed class ObjectSampleTests
     }
 
     [Fact]
-    [Behaviour("dats.sample.animation-still", Source)]
+    [Behaviour("dats.sample.animation-still", "data/dat-samples/README.md; spec/07, section 7")]
     public void Still_animation()
     {
         var animation = TestData.Sample<Animation>("animation-03000010");
@@ -142,7 +140,7 @@ public sealed class ObjectSampleTests
     }
 
     [Fact]
-    [Behaviour("dats.sample.motion-table-one-cycle", Source)]
+    [Behaviour("dats.sample.motion-table-one-cycle", "data/dat-samples/README.md; spec/07, section 7")]
     public void Motion_table_of_one_cycle()
     {
         var table = TestData.Sample<MotionTable>("motiontable-09000010");
@@ -158,7 +156,7 @@ public sealed class ObjectSampleTests
     }
 
     [Fact]
-    [Behaviour("dats.sample.motion-table", Source)]
+    [Behaviour("dats.sample.motion-table", "data/dat-samples/README.md; spec/07, section 7")]
     public void Motion_table_with_cycles_modifier_and_links()
     {
         var table = TestData.Sample<MotionTable>("motiontable-09000001");

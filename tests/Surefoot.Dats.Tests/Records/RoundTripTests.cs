@@ -18,7 +18,7 @@ public sealed class RoundTripTests
                 Assert.Equal(bytes, back.Encode());
                 Assert.Equal(RecordText.ToJson(record), RecordText.ToJson(back));
             },
-            iter: Fuzz.Cases(2000));
+            iter: Fuzz.Cases(1000));
 
     [Fact]
     [Behaviour("dats.record.chain-of-segments", "issue 3, item 2 (read with no copy)")]

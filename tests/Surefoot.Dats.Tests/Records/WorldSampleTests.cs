@@ -6,13 +6,12 @@ namespace Surefoot.Dats.Tests;
 /// <summary>Land, cells, scenery and region parse to the values that come with the samples.</summary>
 public sealed class WorldSampleTests
 {
-    private const string Source = "data/dat-samples/README.md; spec/07, section 7";
     private const PortalFlags ExactOutside = PortalFlags.ExactMatch | PortalFlags.Outside;
 
     private static readonly Quaternion QuarterTurn = new(0, 0, 0.70710677f, 0.70710677f);
 
     [Fact]
-    [Behaviour("dats.sample.landblock", Source)]
+    [Behaviour("dats.sample.landblock", "data/dat-samples/README.md; spec/07, section 7")]
     public void Land_blocks()
     {
         var block = TestData.Sample<LandBlock>("landblock-A9B4FFFF");
@@ -28,7 +27,7 @@ public sealed class WorldSampleTests
     }
 
     [Fact]
-    [Behaviour("dats.sample.landblock-info", Source)]
+    [Behaviour("dats.sample.landblock-info", "data/dat-samples/README.md; spec/07, section 7")]
     public void Land_block_info()
     {
         var info = TestData.Sample<LandBlockInfo>("landblockinfo-A9B4FFFE");
@@ -48,7 +47,7 @@ public sealed class WorldSampleTests
     }
 
     [Fact]
-    [Behaviour("dats.sample.envcell", Source)]
+    [Behaviour("dats.sample.envcell", "data/dat-samples/README.md; spec/07, section 7")]
     public void Cells()
     {
         var hall = TestData.Sample<EnvCell>("envcell-A9B40100");
@@ -91,7 +90,7 @@ public sealed class WorldSampleTests
         => Assert.Equal(outside, new CellPortal((PortalFlags)flags, 0, (ushort)cell, 0).IsOutside);
 
     [Fact]
-    [Behaviour("dats.sample.scene", Source)]
+    [Behaviour("dats.sample.scene", "data/dat-samples/README.md; spec/07, section 7")]
     public void Scene_of_one_object()
     {
         SceneObject thing = Assert.Single(TestData.Sample<Scene>("scene-12000001").Objects);
@@ -105,7 +104,7 @@ public sealed class WorldSampleTests
     }
 
     [Fact]
-    [Behaviour("dats.sample.region", Source)]
+    [Behaviour("dats.sample.region", "data/dat-samples/README.md; spec/07, section 7")]
     public void Minimal_region()
     {
         var region = TestData.Sample<Region>("region-13000000");
@@ -132,7 +131,7 @@ public sealed class WorldSampleTests
     }
 
     [Fact]
-    [Behaviour("dats.sample.region-full", Source)]
+    [Behaviour("dats.sample.region-full", "data/dat-samples/README.md; spec/07, section 7")]
     public void Region_with_every_part()
     {
         var region = TestData.Sample<Region>("region-full-13000000");
@@ -171,7 +170,7 @@ public sealed class WorldSampleTests
     }
 
     [Fact]
-    [Behaviour("dats.sample.iteration", Source)]
+    [Behaviour("dats.sample.iteration", "data/dat-samples/README.md; spec/07, section 7")]
     public void Iteration_records()
     {
         var three = TestData.Sample<IterationRecord>("iteration-FFFF0001");
