@@ -42,7 +42,16 @@ public sealed class DatFileEditor : IDisposable
 
         string temporary = path + ".new";
         File.Copy(path, temporary, overwrite: true);
-        return new(path, temporary, header);
+        try
+        {
+            File.SetAttributes(temporary, FileAttributes.Normal);
+            return new(path, temporary, header);
+        }
+        catch
+        {
+            File.Delete(temporary);
+            throw;
+        }
     }
 
     /// <summary>Adds or replaces a record.</summary>
