@@ -18,21 +18,18 @@ internal static class CylinderCollision
     internal static TransitionState IntersectsSphere(Transition transition, in Position obstacle, float scale, in CylSphere cylinder)
     {
         SpherePath path = transition.Path;
-        // Read again where the normal of a step-up is turned.
-        path.CacheLocalSpaceSpheres(obstacle, 1f);
         CylSphere placed = new(
             path.CheckPos.LocalToGlobal(obstacle, RetailMath.Scale(cylinder.LowPoint, scale)),
             (float)((double)scale * cylinder.Radius),
             (float)((double)scale * cylinder.Height));
-        return IntersectsSphere(transition, placed);
+        return IntersectsSphere(transition, placed, obstacle);
     }
 
     /// <summary>
-    /// Tests a cylinder given in the block frame of the check position, after the path's local space was set to the object's. The order of the modes is
-    /// load-bearing.
+    /// Tests a cylinder given in the block frame of the check position; <paramref name="obstacle"/> is its object. The order of the modes is load-bearing.
     /// </summary>
     /// <remarks>Retail: CCylSphere::intersects_sphere @0x0053B440.</remarks>
-    internal static TransitionState IntersectsSphere(Transition transition, in CylSphere cylinder)
+    private static TransitionState IntersectsSphere(Transition transition, in CylSphere cylinder, in Position obstacle)
     {
         SpherePath path = transition.Path;
         ref readonly Sphere foot = ref path.GlobalSpheres[0];
@@ -41,12 +38,15 @@ internal static class CylinderCollision
         bool footHits = CollisionPrimitives.CylinderCollidesWithSphere(foot.Radius, offset, radiusSum, cylinder.Height);
         bool headHits = path.SphereCount > 1 &&
                         CollisionPrimitives.CylinderCollidesWithSphere(path.GlobalSpheres[1].Radius, headOffset, radiusSum, cylinder.Height);
-        bool hits = footHits || headHits;
+        // In every mode a cylinder that is not touched answers OK.
+        if (!footHits && !headHits) return TransitionState.OK;
+        // Retail does this before it looks; only the turned normal of a step-up reads it.
+        path.CacheLocalSpaceSpheres(obstacle, 1f);
 
-        if (path.InsertType == InsertType.Placement || path.ObstructionEthereal) return SphereCollision.CollidedIf(hits);
-        if (path.StepDown) return hits ? StepSphereDown(transition, cylinder, offset) : TransitionState.OK;
-        if (path.CheckWalkable) return SphereCollision.CollidedIf(hits);
-        if (path.Collide) return hits ? RestOnTop(transition, cylinder, offset, radiusSum) : TransitionState.OK;
+        if (path.InsertType == InsertType.Placement || path.ObstructionEthereal) return TransitionState.Collided;
+        if (path.StepDown) return StepSphereDown(transition, cylinder, offset);
+        if (path.CheckWalkable) return TransitionState.Collided;
+        if (path.Collide) return RestOnTop(transition, cylinder, offset, radiusSum);
 
         if (transition.Object.Has(MoverFlags.Contact | MoverFlags.OnWalkable))
         {

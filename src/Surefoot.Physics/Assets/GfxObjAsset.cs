@@ -23,6 +23,9 @@ public sealed class GfxObjAsset
     /// <summary>Bounding sphere of the collision tree; null without one.</summary>
     public Sphere? PhysicsSphere => Physics?.Bounds;
 
+    /// <summary>No collision polygon is further than this from the mesh's origin, metres; 0 without a tree.</summary>
+    internal double PhysicsReach => Physics is null ? 0 : RetailMath.Length(Physics.Bounds.Center) + Physics.Bounds.Radius;
+
     /// <summary>Bounding sphere of the drawing tree; null without one.</summary>
     public Sphere? DrawingSphere { get; init; }
 

@@ -38,12 +38,13 @@ internal static class SphereCollision
         bool footHits = CollisionPrimitives.SphereCollidesWithSphere(offset, radiusSum);
         bool headHits = path.SphereCount > 1 &&
                         CollisionPrimitives.SphereCollidesWithSphere(path.GlobalSpheres[1].Center - obstacle.Center, radiusSum);
-        bool hits = footHits || headHits;
+        // In every mode a ball that is not touched answers OK.
+        if (!footHits && !headHits) return TransitionState.OK;
 
-        if (path.ObstructionEthereal || path.InsertType == InsertType.Placement) return CollidedIf(hits);
-        if (path.StepDown) return isCreature || !hits ? TransitionState.OK : StepSphereDown(transition, obstacle, offset, radiusSum);
-        if (path.CheckWalkable) return CollidedIf(hits);
-        if (path.Collide) return isCreature || !hits ? TransitionState.OK : RestOnSphere(transition, offset, radiusSum);
+        if (path.ObstructionEthereal || path.InsertType == InsertType.Placement) return TransitionState.Collided;
+        if (path.StepDown) return isCreature ? TransitionState.OK : StepSphereDown(transition, obstacle, offset, radiusSum);
+        if (path.CheckWalkable) return TransitionState.Collided;
+        if (path.Collide) return isCreature ? TransitionState.OK : RestOnSphere(transition, offset, radiusSum);
 
         if (transition.Object.Has(MoverFlags.Contact | MoverFlags.OnWalkable))
         {
@@ -56,8 +57,6 @@ internal static class SphereCollision
         if (footHits) return LandOnSphere(transition, obstacle);
         return headHits ? CollideWithPoint(transition, obstacle, radiusSum, 1) : TransitionState.OK;
     }
-
-    internal static TransitionState CollidedIf(bool hits) => hits ? TransitionState.Collided : TransitionState.OK;
 
     /// <summary>The way back from the check position to the accepted one, in the check position's block frame.</summary>
     internal static Vector3 WayBack(SpherePath path) =>

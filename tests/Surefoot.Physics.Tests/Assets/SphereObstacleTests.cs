@@ -126,6 +126,17 @@ public class SphereObstacleTests
         Assert.Equal(TransitionState.OK, Falling(new(0.1f, 0, 3), new(0.1f, 0, 2)).Ask(Ball));
     }
 
+    [Fact, Behaviour("ball.landing.root-compared-too-early", "spec/04, 4.8: u is compared with 1 before it is divided by the squared way")]
+    public void A_long_way_back_onto_a_ball_is_refused()
+    {
+        // By hand: B = 1.9, b = −1.9, a = 3.61, root 3.8, so u = 1.9 becomes 2b − u = −5.7; divided first it would have been 0.53.
+        Mover mover = new Mover(MoverFlags.None, new(0, 0, 2.9f), new(0, 0, 1), 1.5f).With(p => p.Collide = true);
+        Assert.Equal((TransitionState.Collided, Vector3.Zero), (mover.Ask(Low), mover.Moved));
+        Mover shorter = new Mover(MoverFlags.None, new(0, 0, 2.5f), new(0, 0, 1.6f), 1.5f).With(p => p.Collide = true);
+        Assert.Equal(TransitionState.Adjusted, shorter.Ask(Low));
+        Assert.Equal(2f, shorter.At.Z, 1e-5f);
+    }
+
     [Fact, Behaviour("ball.step-down", "spec/04, 6.12, CSphere::step_sphere_down @0x00536D20")]
     public void A_probe_is_lifted_straight_onto_the_ball()
     {

@@ -1,8 +1,10 @@
 using System.Numerics;
 using CsCheck;
 using Surefoot.Physics.Assets;
+using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Transitions;
+using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Tests.Assets;
 
@@ -84,7 +86,7 @@ public class TreePropertyTests
                 Assert.InRange(search.WalkInterp, -0.5f, 1);
                 Assert.Equal((sphere.Center.X, sphere.Center.Y), (search.Sphere.Center.X, search.Sphere.Center.Y));
                 // The last surface left the sphere tangent, and no surface pushes it down.
-                Assert.Equal(sphere.Radius, RetailMath.Distance(tree.Polygons.PlaneOf(search.Polygon), search.Sphere.Center), 4);
+                Assert.Equal(sphere.Radius, RetailMath.Distance(tree.Polygons.PlaneOf(search.Polygon), search.Sphere.Center), 1e-4);
                 Assert.True(search.Sphere.Center.Z >= sphere.Center.Z);
             },
             iter: Fuzz.Cases(3000));
@@ -131,9 +133,30 @@ public class TreePropertyTests
                 Assert.True(RetailMath.IsFinite(mover.At));
                 if (state is TransitionState.OK or TransitionState.Collided) Assert.Equal(Vector3.Zero, mover.Moved);
                 Vector3 n = mover.Collision.CollisionNormal;
-                if (mover.Collision.CollisionNormalValid && n != Vector3.Zero) Assert.Equal(1, n.Length(), 5);
+                if (mover.Collision.CollisionNormalValid && n != Vector3.Zero) Assert.Equal(1, n.Length(), 1e-5f);
             },
             iter: Fuzz.Cases(5000));
+
+    [Fact, Behaviour("object.property.far-parts", "spec/06, 4: skipping what is far away changes no answer")]
+    public void An_object_answers_as_its_part_does_wherever_it_stands() =>
+        Gen.Select(Soup, Point, Point, Point, Gen.Float[0.2f, 3f], Gen.Bool).Sample(
+            (tree, at, way, turn, scale, near) =>
+            {
+                GfxObjAsset mesh = new() { Physics = tree };
+                Frame pose = new(turn, Quaternion.Normalize(new Quaternion(turn.Z, turn.X, turn.Y, 0.5f)));
+                SetupAsset setup = new SetupAsset { Parts = [new SetupPart(mesh, new(1, 1, 0.7f))] }.With(0, [pose]);
+                WorldObject target = new(2, setup, PhysicsState.Static) { Scale = scale };
+                target.SeatAt(new Position(Mover.CellId, new Frame(at * (near ? 5 : 150), Quaternion.Normalize(new Quaternion(turn, 0.3f)))), null);
+
+                Mover Fresh() => new Mover(MoverFlags.None, way * 5, (way * 5) + (at * 0.4f), 0.48f, new Vector3(0, 0, 0.87f)).LastStoodOn(Vector3.UnitZ);
+                Mover through = Fresh(), direct = Fresh();
+                TransitionState expected = mesh.FindCollisions(
+                    direct.Transition, SetupAsset.PlacePart(target.Position, pose, scale), (float)((double)0.7f * scale));
+                Assert.Equal(expected, setup.FindCollisions(through.Transition, target, false));
+                Assert.Equal(direct.At, through.At);
+                Assert.Equal(direct.Path.Collide, through.Path.Collide);
+            },
+            iter: Fuzz.Cases(3000));
 
     [Fact, Behaviour("cell.property.point-in-sphere-in", "spec/04, 4.5")]
     public void A_sphere_around_a_point_inside_a_room_is_not_outside() =>
