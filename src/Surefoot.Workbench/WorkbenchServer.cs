@@ -23,6 +23,8 @@ namespace Surefoot.Workbench;
 public sealed class WorkbenchServer : IAsyncDisposable
 {
     private const int PortsToTry = 100;
+    private const int MaxTerrainRadius = 8;
+    private const int LastBlock = 254;
 
     private readonly WebApplication app;
     private readonly IWorkbenchWorld world;
@@ -146,7 +148,7 @@ public sealed class WorkbenchServer : IAsyncDisposable
         PageFiles page = new();
         app.MapGet("/places.json", () => Results.Json(Listing(world)));
         app.MapGet("/stats.json", () => Results.Json(Statistics(counters)));
-        app.MapGet("/terrain/{block}", (string block) => Terrain(world, block));
+        app.MapGet("/terrain/{block}/{radius:int}", (string block, int radius) => Terrain(world, block, radius));
         app.MapGet("/ws", context => Play(context, world, counters, loop));
         app.MapGet("/{**path}", (HttpContext context, string? path) => page.Serve(context, path));
         return app;
@@ -193,12 +195,23 @@ public sealed class WorkbenchServer : IAsyncDisposable
         unsent = counters.Unsent,
     };
 
-    private static IResult Terrain(IWorkbenchWorld world, string block)
+    /// <summary>The landblocks that exist within a square radius of one, each as <see cref="TerrainFrame"/> says.</summary>
+    private static IResult Terrain(IWorkbenchWorld world, string block, int radius)
     {
         bool named = block.Length == 4 & ushort.TryParse(block, NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture, out ushort id);
-        if (!named) return Results.NotFound();
-        if (world.ReadTerrain(id) is not { } terrain) return Results.NoContent();
-        return Results.Bytes(TerrainFrame.Encode(id, terrain), "application/octet-stream");
+        if (!named || radius is < 0 or > MaxTerrainRadius) return Results.NotFound();
+        using MemoryStream found = new();
+        int x = id >> 8, y = id & 0xFF;
+        for (int i = Math.Max(0, x - radius); i <= Math.Min(LastBlock, x + radius); i++)
+        {
+            for (int j = Math.Max(0, y - radius); j <= Math.Min(LastBlock, y + radius); j++)
+            {
+                ushort near = (ushort)((i << 8) | j);
+                if (world.ReadTerrain(near) is { } terrain) found.Write(TerrainFrame.Encode(near, terrain));
+            }
+        }
+
+        return Results.Bytes(found.ToArray(), "application/octet-stream");
     }
 
     private static async Task Play(HttpContext context, IWorkbenchWorld world, ServerCounters counters, WorldLoop loop)

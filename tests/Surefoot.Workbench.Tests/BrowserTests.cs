@@ -13,6 +13,9 @@ public sealed class BrowserTests(Browser browser) : IClassFixture<Browser>, IAsy
     // spec/01, section 6: run skill 300 without burden.
     private const double RunSpeed = 10.6000004;
 
+    // Seconds; timeline.ts, smoothOver.
+    private const double SmoothOver = 0.08;
+
     private readonly ConcurrentDictionary<(uint Player, uint Step), PlayerPose> published = new();
     private WorkbenchServer server = null!;
 
@@ -30,7 +33,7 @@ public sealed class BrowserTests(Browser browser) : IClassFixture<Browser>, IAsy
     {
         await using Tab tab = await browser.OpenAsync(server);
         await tab.Page.Keyboard.DownAsync("w");
-        await tab.Until($"window.surefoot.pose.speed > {0.97 * RunSpeed}", "the player runs");
+        await tab.Until($"window.surefoot.pose.speed > {0.95 * RunSpeed}", "the player runs");
         double start = await tab.Number("window.surefoot.pose.time");
         await tab.Until($"window.surefoot.drawn.at > {Text(start)}", "the run is drawn");
         JsonElement first = await tab.Read("window.surefoot.drawn");
@@ -45,11 +48,11 @@ public sealed class BrowserTests(Browser browser) : IClassFixture<Browser>, IAsy
 
     [Fact]
     [Behaviour("workbench.browser.smooth-between-steps", "issue 3, item 6: smooth motion while physics runs at its own quantum")]
-    public async Task Drawn_positions_lie_on_the_line_between_physics_steps()
+    public async Task Drawn_positions_follow_the_path_between_physics_steps()
     {
         await using Tab tab = await browser.OpenAsync(server);
         await tab.Page.Keyboard.DownAsync("w");
-        await tab.Until($"window.surefoot.pose.speed > {0.97 * RunSpeed}", "the player runs");
+        await tab.Until($"window.surefoot.pose.speed > {0.95 * RunSpeed}", "the player runs");
         await Task.Delay(400);
         JsonElement samples = await Sample(tab, 40);
         await tab.Page.Keyboard.UpAsync("w");
@@ -59,19 +62,15 @@ public sealed class BrowserTests(Browser browser) : IClassFixture<Browser>, IAsy
         foreach (JsonElement drawn in samples.EnumerateArray())
         {
             double at = drawn.GetProperty("at").GetDouble();
-            int after = Array.FindIndex(poses, pose => pose.Time >= at);
-            if (after <= 0) continue;
-            PlayerPose a = poses[after - 1], b = poses[after];
-            double share = (at - a.Time) / (b.Time - a.Time);
-            double y = Global(a).Y + ((Global(b).Y - Global(a).Y) * share);
-            double x = Global(a).X + ((Global(b).X - Global(a).X) * share);
+            if (poses[0].Time > at - (SmoothOver / 2) || poses[^1].Time < at + (SmoothOver / 2)) continue;
+            (double x, double y) = MeanOverWindow(poses, at);
             double off = Math.Sqrt(Math.Pow(x - Coordinate(drawn, "x"), 2) + Math.Pow(y - Coordinate(drawn, "y"), 2));
-            // When a busy machine delivers a pose late, the page goes on at the last velocity instead, which on level ground is the same line.
-            Assert.True(off < 0.05, $"The player is drawn {off:F3} m off the line at {at:F3} s");
-            if (share is > 0.05 and < 0.95) between++;
+            // When a busy machine delivers a pose late, the page goes on at the last velocity instead, which on level ground is nearly the same.
+            Assert.True(off < 0.1, $"The player is drawn {off:F3} m off the path at {at:F3} s");
+            if (!Array.Exists(poses, pose => Math.Abs(pose.Time - at) < 0.002)) between++;
         }
 
-        Assert.True(between > 10, $"Only {between} of the frames drawn were between two steps");
+        Assert.True(between > 10, $"Only {between} of the frames were drawn between two steps");
     }
 
     [Fact]
@@ -120,11 +119,11 @@ public sealed class BrowserTests(Browser browser) : IClassFixture<Browser>, IAsy
         await using Tab tab = await browser.OpenAsync(server);
         await tab.Page.Locator("#run-skill").FillAsync("0");
         await tab.Page.Keyboard.DownAsync("w");
-        await tab.Until("Math.abs(window.surefoot.pose.speed - 4) < 0.1", "skill 0 runs 4 m/s");
+        await tab.Until("Math.abs(window.surefoot.pose.speed - 4) < 0.2", "skill 0 runs 4 m/s");
         await tab.Page.Locator("#run-skill").FillAsync("300");
-        await tab.Until($"Math.abs(window.surefoot.pose.speed - {RunSpeed}) < 0.3", "skill 300 runs 10.6 m/s");
+        await tab.Until($"Math.abs(window.surefoot.pose.speed - {RunSpeed}) < 0.4", "skill 300 runs 10.6 m/s");
         await tab.Page.Keyboard.DownAsync("Shift");
-        await tab.Until("Math.abs(window.surefoot.pose.speed - 3.12) < 0.1", "Shift walks at 3.12 m/s");
+        await tab.Until("Math.abs(window.surefoot.pose.speed - 3.12) < 0.2", "Shift walks at 3.12 m/s");
         await tab.Page.Keyboard.UpAsync("Shift");
         await tab.Page.Keyboard.UpAsync("w");
     }
@@ -184,7 +183,7 @@ public sealed class BrowserTests(Browser browser) : IClassFixture<Browser>, IAsy
         Assert.Equal(both.GetProperty("step").GetRawText(), Field("step"));
         Assert.Equal($"0x{pose.CellId:X8}", Field("cell"));
         AssertNumbers(0.006, Field("position"), pose.Position.X, pose.Position.Y, pose.Position.Z);
-        AssertNumbers(0.006, Field("speed").Replace("m/s", "", StringComparison.Ordinal), Math.Sqrt((pose.Velocity.X * pose.Velocity.X) + (pose.Velocity.Y * pose.Velocity.Y)));
+        AssertNumbers(0.006, Field("speed").Replace("m/s", "", StringComparison.Ordinal), pose.Speed);
         AssertNumbers(0.06, Field("quantum").Replace("ms", "", StringComparison.Ordinal), pose.Quantum * 1000);
         Assert.Equal(pose.Flags.HasFlag(PoseFlags.OnWalkable) ? "yes" : "no", Field("walkable"));
         Assert.True(pose.Flags.HasFlag(PoseFlags.Contact));
@@ -215,6 +214,24 @@ public sealed class BrowserTests(Browser browser) : IClassFixture<Browser>, IAsy
             })
             """,
             frames)).RootElement;
+
+    /// <summary>Mean of the path over the window that the page smooths over: the path is the line through the poses.</summary>
+    private static (double X, double Y) MeanOverWindow(PlayerPose[] poses, double at)
+    {
+        const int Points = 100;
+        double x = 0, y = 0;
+        for (int i = 0; i < Points; i++)
+        {
+            double time = at + (SmoothOver * (((i + 0.5) / Points) - 0.5));
+            int after = Array.FindIndex(poses, pose => pose.Time >= time);
+            PlayerPose a = poses[Math.Max(0, after - 1)], b = poses[after];
+            double share = b.Time > a.Time ? (time - a.Time) / (b.Time - a.Time) : 0;
+            x += Global(a).X + ((Global(b).X - Global(a).X) * share);
+            y += Global(a).Y + ((Global(b).Y - Global(a).Y) * share);
+        }
+
+        return (x / Points, y / Points);
+    }
 
     private static (double X, double Y) Global(in PlayerPose pose) =>
         (((pose.CellId >> 24) * 192.0) + pose.Position.X, (((pose.CellId >> 16) & 0xFF) * 192.0) + pose.Position.Y);

@@ -13,7 +13,7 @@ public sealed class FrameTests
     private static readonly JsonElement Samples = JsonDocument.Parse(File.ReadAllText(Path.Combine(AppContext.BaseDirectory, "wire.samples.json"))).RootElement;
 
     private static readonly PlayerPose SamplePose = new(
-        12.5, 0xA9B40025, new Vector3(100, -1.5f, 20), 1, new Vector3(3, -4, 2), PoseFlags.Contact | PoseFlags.OnWalkable | PoseFlags.Charging,
+        12.5, 0xA9B40025, new Vector3(100, -1.5f, 20), 1, new Vector3(3, -4, 2), 5, PoseFlags.Contact | PoseFlags.OnWalkable | PoseFlags.Charging,
         new Plane(0, 0.5f, 0.75f, -20), 0.125f, 0.0625f, 2.5f, 0x44000007, 2.5f, -0.5f, -1.5f, 5);
 
     [Fact]

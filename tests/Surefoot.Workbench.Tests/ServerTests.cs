@@ -42,14 +42,15 @@ public sealed class ServerTests : IAsyncLifetime
     [Behaviour("workbench.server.terrain-as-physics-built-it", "issue 3, item 6: a wrong split shows; spec/05, 4.3")]
     public async Task Terrain_is_heights_words_and_split_directions()
     {
-        byte[] bytes = await http.GetByteArrayAsync(new Uri(server.Address, "/terrain/a9b4"));
+        byte[] bytes = await http.GetByteArrayAsync(new Uri(server.Address, "/terrain/a9b4/0"));
         Assert.Equal(554, bytes.Length);
         Assert.Equal(0xA9B4, BinaryPrimitives.ReadUInt16LittleEndian(bytes));
         Assert.Equal(StandInWorld.Ground, BinaryPrimitives.ReadSingleLittleEndian(bytes.AsSpan(4 + (80 * 4))));
         Assert.Equal(4, BinaryPrimitives.ReadUInt16LittleEndian(bytes.AsSpan(328 + (80 * 2))));
         Assert.Equal([1, 0, 0, 1], bytes[490..494]);
-        Assert.Equal(HttpStatusCode.NoContent, (await http.GetAsync(new Uri(server.Address, "/terrain/0000"))).StatusCode);
-        foreach (string wrong in new[] { "12345", "xyzw", "-001", "a9b" })
+        Assert.Equal(9 * 554, (await http.GetByteArrayAsync(new Uri(server.Address, "/terrain/a9b4/1"))).Length);
+        Assert.Empty(await http.GetByteArrayAsync(new Uri(server.Address, "/terrain/0000/1")));
+        foreach (string wrong in new[] { "12345/0", "xyzw/0", "-001/0", "a9b/0", "a9b4/9", "a9b4/-1", "a9b4/x" })
             Assert.Equal(HttpStatusCode.NotFound, (await http.GetAsync(new Uri(server.Address, $"/terrain/{wrong}"))).StatusCode);
     }
 

@@ -39,6 +39,7 @@ internal enum PoseFlags : ushort
 /// <param name="Position">Metres in the landblock: x east, y north, z up.</param>
 /// <param name="Yaw">Radians about z, counter-clockwise from north.</param>
 /// <param name="Velocity">Metres a second over the last step.</param>
+/// <param name="Speed">Speed over ground, metres a second, averaged over the last steps: single steps carry whole animation frames.</param>
 /// <param name="Flags">Contact and charge.</param>
 /// <param name="ContactPlane">Plane touched, in the landblock's coordinates; only with <see cref="PoseFlags.Contact"/>.</param>
 /// <param name="Charge">Jump bar, 0 to 1.</param>
@@ -55,6 +56,7 @@ internal readonly record struct PlayerPose(
     Vector3 Position,
     float Yaw,
     Vector3 Velocity,
+    float Speed,
     PoseFlags Flags,
     Plane ContactPlane,
     float Charge,

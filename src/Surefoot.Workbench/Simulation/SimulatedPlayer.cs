@@ -16,6 +16,7 @@ internal sealed class SimulatedPlayer : IWorkbenchPlayer, IMovementSink
     private const int MostEventsKept = 64;
 
     private readonly Queue<PlayerEvent> events = [];
+    private readonly SpeedMeter speed = new();
     private LocalPlayer? player;
     private SimulatedWorld? world;
     private uint settledCell;
@@ -87,6 +88,7 @@ internal sealed class SimulatedPlayer : IWorkbenchPlayer, IMovementSink
         Player.Body.TeleportHook();
         Player.Controller.OnTeleported(now);
         teleports++;
+        speed.Reset();
         Observe(now);
     }
 
@@ -120,12 +122,14 @@ internal sealed class SimulatedPlayer : IWorkbenchPlayer, IMovementSink
         if (!body.HasCell) flags |= PoseFlags.Nowhere;
         InterpretedMotionState state = motions.Interpreted;
         Position position = body.Position;
+        double time = body.IsActive ? body.SimulatedTime : now;
         Pose = new PlayerPose(
-            body.IsActive ? body.SimulatedTime : now,
+            time,
             position.CellId,
             position.Frame.Origin,
             (float)(-position.Frame.Heading * Math.PI / 180.0),
             body.IsActive ? body.AchievedVelocity : Vector3.Zero,
+            speed.At(time, position),
             flags,
             body.HasContact ? body.ContactPlane : default,
             Player.Controller.JumpLevel(now),

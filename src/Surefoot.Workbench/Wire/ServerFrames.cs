@@ -55,7 +55,7 @@ internal static class ServerFrames
         to.Vector(pose.Velocity);
         to.Vector(pose.ContactPlane.Normal);
         to.F32(pose.ContactPlane.D);
-        to.F32(GroundSpeed(pose));
+        to.F32(pose.Speed);
         to.F32(pose.Charge);
         to.F32(pose.Quantum);
         to.F32(pose.RunRate);
@@ -110,9 +110,6 @@ internal static class ServerFrames
         to.U32(happened.Code);
         return bytes;
     }
-
-    /// <summary>Speed over ground, metres a second.</summary>
-    public static float GroundSpeed(in PlayerPose pose) => new Vector2(pose.Velocity.X, pose.Velocity.Y).Length();
 
     private ref struct Writer(Span<byte> bytes)
     {

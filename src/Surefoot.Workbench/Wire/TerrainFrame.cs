@@ -3,10 +3,10 @@ using Surefoot.Workbench.Simulation;
 
 namespace Surefoot.Workbench.Wire;
 
-/// <summary>Writes what <c>/terrain/XXYY</c> answers.</summary>
+/// <summary>Writes a landblock of what <c>/terrain/XXYY/RADIUS</c> answers.</summary>
 internal static class TerrainFrame
 {
-    /// <summary>Length of every answer, bytes.</summary>
+    /// <summary>Length of a landblock, bytes.</summary>
     public const int Length = 4 + (81 * 4) + (81 * 2) + 64;
 
     /// <summary><c>u16 block, u16 0, f32[81] heights, u16[81] terrain words, u8[64] 1 where the cell is cut SW–NE</c>, little-endian.</summary>

@@ -67,7 +67,7 @@ internal sealed class StandInWorld : IWorkbenchWorld
         private bool airborne;
 
         public PlayerPose Pose { get; private set; } = new(
-            joined, place.CellId, place.Position, place.Yaw, Vector3.Zero, PoseFlags.Contact | PoseFlags.OnWalkable, new Plane(Vector3.UnitZ, -Ground), 0,
+            joined, place.CellId, place.Position, place.Yaw, Vector3.Zero, 0, PoseFlags.Contact | PoseFlags.OnWalkable, new Plane(Vector3.UnitZ, -Ground), 0,
             WireLimits.MinQuantum, 1, 0x41000003, 1, 0, 0, 0);
 
         public void SetKeys(PlayerKeys now, double time)
@@ -107,7 +107,7 @@ internal sealed class StandInWorld : IWorkbenchWorld
             if (!double.IsNaN(chargedSince)) flags |= PoseFlags.Charging;
             Pose = Pose with
             {
-                Time = now, Position = position, Yaw = yaw, Velocity = velocity, Flags = flags, Charge = charge, Quantum = quantum, RunRate = rate,
+                Time = now, Position = position, Yaw = yaw, Velocity = velocity, Speed = new Vector2(velocity.X, velocity.Y).Length(), Flags = flags, Charge = charge, Quantum = quantum, RunRate = rate,
                 ForwardSpeed = forward, SidestepSpeed = side, TurnSpeed = turn,
             };
         }

@@ -5,13 +5,14 @@ import { wrapAngle } from "./timeline";
 
 const eyeHeight = 1.45;
 const clearance = 0.45;
+const restPitch = 0.2;
 
 export class FollowCamera {
   readonly camera = new THREE.PerspectiveCamera(62, 1, 0.1, 4000);
   private distance = 6.5;
   private wantedDistance = 6.5;
   private orbit = 0;
-  private pitch = 0.3;
+  private pitch = restPitch;
   private yaw = Number.NaN;
   private recentering = false;
   private readonly target = new THREE.Vector3();
@@ -71,7 +72,7 @@ export class FollowCamera {
     const ease = (rate: number): number => 1 - Math.exp(-rate * dt);
     if (this.recentering) {
       this.orbit -= this.orbit * ease(7);
-      this.pitch += (0.3 - this.pitch) * ease(7);
+      this.pitch += (restPitch - this.pitch) * ease(7);
       this.recentering = Math.abs(this.orbit) > 0.005;
     }
     this.yaw = Number.isNaN(this.yaw) ? facing : this.yaw + wrapAngle(facing - this.yaw) * ease(14);

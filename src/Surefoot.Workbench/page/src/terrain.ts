@@ -7,7 +7,7 @@ import { makeTerrainMaterial, type TerrainUniforms } from "./terrainMaterial";
 
 const drawRadius = 5;
 const keepRadius = 8;
-const fetchesAtOnce = 8;
+const buildMilliseconds = 4;
 
 type Loaded = TerrainBlock | "none";
 
@@ -18,10 +18,9 @@ export class Terrain {
   private readonly material: THREE.Material;
   private readonly blocks = new Map<number, Loaded>();
   private readonly meshes = new Map<number, THREE.Mesh>();
-  private readonly fetching = new Set<number>();
+  private fetching = false;
   private retryAt = 0;
   private center = -1;
-  private wanted: number[] = [];
   private missing: number[] = [];
   private originX = 0;
   private originY = 0;
@@ -43,24 +42,14 @@ export class Terrain {
     for (const [block, mesh] of this.meshes) this.place(mesh, block);
   }
 
-  /** Fetches, builds and drops blocks for a player in this block. One block is built a call, so that no frame waits long. */
+  /** Fetches, builds and drops blocks for a player in this block; a few are built a call, so that no frame waits long. */
   update(block: number): void {
     if (block !== this.center) this.moveTo(block);
     if (this.missing.length === 0) return;
-    for (const id of this.wanted) {
-      if (this.fetching.size >= fetchesAtOnce || performance.now() < this.retryAt) break;
-      if (!this.blocks.has(id) && !this.fetching.has(id)) void this.fetch(id);
-    }
+    if (!this.fetching && performance.now() >= this.retryAt && !around(block, drawRadius + 1).every((id) => this.blocks.has(id))) void this.fetch(block);
     this.missing = this.missing.filter((id) => this.blocks.get(id) !== "none");
-    const next = this.missing.find((id) => this.blocks.has(id) && around(id, 1).every((near) => this.blocks.has(near)));
-    const terrain = next === undefined ? undefined : this.blocks.get(next);
-    if (next === undefined || !terrain || terrain === "none") return;
-    const mesh = new THREE.Mesh(this.build(terrain), this.material);
-    mesh.receiveShadow = true;
-    this.place(mesh, next);
-    this.meshes.set(next, mesh);
-    this.group.add(mesh);
-    this.missing.splice(this.missing.indexOf(next), 1);
+    const end = performance.now() + buildMilliseconds;
+    while (this.buildNext() && performance.now() < end);
   }
 
   /** Ground height at global metres; null where no terrain has come. */
@@ -74,22 +63,36 @@ export class Terrain {
   private moveTo(block: number): void {
     this.center = block;
     this.drop(block);
-    this.wanted = around(block, drawRadius + 1);
     this.missing = around(block, drawRadius).filter((id) => !this.meshes.has(id));
   }
 
   private async fetch(block: number): Promise<void> {
-    this.fetching.add(block);
+    this.fetching = true;
     try {
-      const answer = await fetch(`/terrain/${block.toString(16).padStart(4, "0")}`);
-      if (answer.status === 204) this.blocks.set(block, "none");
-      else this.blocks.set(block, (answer.ok && decodeTerrain(await answer.arrayBuffer())) || "none");
+      const answer = await fetch(`/terrain/${block.toString(16).padStart(4, "0")}/${drawRadius + 1}`);
+      if (!answer.ok) throw new Error(answer.statusText);
+      for (const terrain of decodeTerrain(await answer.arrayBuffer())) this.blocks.set(terrain.block, terrain);
+      for (const id of around(block, drawRadius + 1)) if (!this.blocks.has(id)) this.blocks.set(id, "none");
     } catch {
       // The server is away: ask again, but not with every frame.
       this.retryAt = performance.now() + 1000;
     } finally {
-      this.fetching.delete(block);
+      this.fetching = false;
     }
+  }
+
+  /** Builds the nearest block that is known with its neighbours; false when there is none. */
+  private buildNext(): boolean {
+    const next = this.missing.findIndex((id) => this.blocks.has(id) && around(id, 1).every((near) => this.blocks.has(near)));
+    const terrain = this.blocks.get(this.missing[next]);
+    if (!terrain || terrain === "none") return false;
+    const mesh = new THREE.Mesh(this.build(terrain), this.material);
+    mesh.receiveShadow = true;
+    this.place(mesh, terrain.block);
+    this.meshes.set(terrain.block, mesh);
+    this.group.add(mesh);
+    this.missing.splice(next, 1);
+    return true;
   }
 
   private drop(center: number): void {

@@ -23,6 +23,13 @@ interface Entry extends Drawn {
 const keep = 32;
 const longestGuess = 0.1;
 
+/**
+ * Seconds over which the drawn path is averaged. Retail hands out ground movement in whole animation frames, so that a runner's steps are unequal; on screen
+ * that would be a shiver.
+ */
+export const smoothOver = 0.08;
+const smoothSamples = 8;
+
 export class PoseTimeline {
   private readonly entries: Entry[] = [];
 
@@ -45,8 +52,24 @@ export class PoseTimeline {
     if (this.entries.length > keep) this.entries.shift();
   }
 
-  /** The pose at a moment: between two poses on the line that joins them; past the last one, onward at its velocity for a tenth of a second at most. */
+  /** The pose at a moment, its place and facing averaged over the poses around it. */
   at(time: number): Drawn | null {
+    const middle = this.sample(time);
+    if (!middle) return null;
+    const position = { x: 0, y: 0, z: 0 };
+    let turned = 0;
+    for (let i = 0; i < smoothSamples; i++) {
+      const near = this.sample(time + smoothOver * ((i + 0.5) / smoothSamples - 0.5)) ?? middle;
+      position.x += near.position.x / smoothSamples;
+      position.y += near.position.y / smoothSamples;
+      position.z += near.position.z / smoothSamples;
+      turned += wrapAngle(near.yaw - middle.yaw) / smoothSamples;
+    }
+    return { ...middle, position, yaw: middle.yaw + turned };
+  }
+
+  /** The pose at a moment as it came: between two poses on the line that joins them; past the last one, onward at its velocity for a tenth of a second at most. */
+  private sample(time: number): Drawn | null {
     const entries = this.entries;
     if (entries.length === 0) return null;
     let after = entries.length;
@@ -98,7 +121,7 @@ export class ServerClock {
   private lastTime = Number.NaN;
 
   constructor(private readonly quantum: number) {
-    this.behind = quantum * 1.5;
+    this.behind = quantum * 1.5 + smoothOver / 2;
   }
 
   /** A pose of server time `time` arrived at local time `now`, seconds both. */
@@ -108,7 +131,7 @@ export class ServerClock {
     const best = this.arrivals.reduce((least, one) => Math.min(least, one.offset), Infinity);
     const late = this.arrivals.reduce((most, one) => Math.max(most, one.offset), -Infinity) - best;
     this.offset = Number.isNaN(this.offset) || Math.abs(best - this.offset) > 0.25 ? best : this.offset + (best - this.offset) * 0.1;
-    const wanted = Math.min(0.25, this.quantum * 1.25 + late);
+    const wanted = Math.min(0.25, this.quantum * 1.25 + smoothOver / 2 + late);
     this.behind += (wanted - this.behind) * (wanted > this.behind ? 0.2 : 0.02);
   }
 

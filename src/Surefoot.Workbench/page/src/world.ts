@@ -27,16 +27,23 @@ export function formatCell(cell: number): string {
   return "0x" + (cell >>> 0).toString(16).toUpperCase().padStart(8, "0");
 }
 
-export function decodeTerrain(buffer: ArrayBuffer): TerrainBlock | null {
-  if (buffer.byteLength !== 554) return null;
-  const view = new DataView(buffer);
-  const heights = new Float32Array(81);
-  const words = new Uint16Array(81);
-  for (let i = 0; i < 81; i++) {
-    heights[i] = view.getFloat32(4 + i * 4, true);
-    words[i] = view.getUint16(328 + i * 2, true);
+const terrainLength = 554;
+
+/** Reads landblocks that follow each other; none when the bytes are no whole number of them. */
+export function decodeTerrain(buffer: ArrayBuffer): TerrainBlock[] {
+  if (buffer.byteLength % terrainLength !== 0) return [];
+  const found: TerrainBlock[] = [];
+  for (let start = 0; start < buffer.byteLength; start += terrainLength) {
+    const view = new DataView(buffer, start, terrainLength);
+    const heights = new Float32Array(81);
+    const words = new Uint16Array(81);
+    for (let i = 0; i < 81; i++) {
+      heights[i] = view.getFloat32(4 + i * 4, true);
+      words[i] = view.getUint16(328 + i * 2, true);
+    }
+    found.push({ block: view.getUint16(0, true), heights, words, cuts: new Uint8Array(buffer.slice(start + 490, start + terrainLength)) });
   }
-  return { block: view.getUint16(0, true), heights, words, cuts: new Uint8Array(buffer, 490, 64) };
+  return found;
 }
 
 /** Height of the ground of a block at metres inside it, on the triangle that physics stands on. */
