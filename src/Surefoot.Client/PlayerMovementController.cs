@@ -62,7 +62,7 @@ public sealed class PlayerMovementController : IServerMessageHandler
     private MotionInterpreter Interpreter => movement.Interpreter;
 
     private bool StandsStill => Interpreter.Raw is
-        { ForwardCommand: MotionCommand.Ready, SidestepCommand: MotionCommand.None, TurnCommand: MotionCommand.None };
+    { ForwardCommand: MotionCommand.Ready, SidestepCommand: MotionCommand.None, TurnCommand: MotionCommand.None };
 
     /// <summary>A frame of input.</summary>
     /// <param name="keys">Keys held now. Unknown bits are ignored.</param>
