@@ -30,7 +30,7 @@ public class LoopbackServerTests
     }
 
     [Fact]
-    [Behaviour("loopback.old-rate-until-the-answer", "issue 3, item 5")]
+    [Behaviour("loopback.old-rate-until-the-answer", "design.md, Who uses it")]
     public void Until_the_answer_arrives_the_player_keeps_the_old_rate()
     {
         KeyFixture f = new(new PlayerWeenie(new CharacterStats(0, 0), RunRateSource.Server));
@@ -77,7 +77,7 @@ public class LoopbackServerTests
     }
 
     [Fact]
-    [Behaviour("loopback.messages-in-order", "issue 3, item 5")]
+    [Behaviour("loopback.messages-in-order", "design.md, Who uses it")]
     public void Messages_arrive_in_order_and_none_too_early() =>
         Gen.Select(Gen.Int[0, 900], Gen.Double[0, 0.3]).List[1, 30].Sample(changes =>
         {

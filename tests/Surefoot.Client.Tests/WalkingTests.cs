@@ -84,7 +84,7 @@ public class WalkingTests
     }
 
     [Fact]
-    [Behaviour("acceptance.old-rate-until-the-servers-answer", "issue 3, item 5")]
+    [Behaviour("acceptance.old-rate-until-the-servers-answer", "design.md, Who uses it")]
     public void A_new_skill_acts_when_the_servers_answer_arrives()
     {
         WalkFixture f = new(new CharacterStats(0, 300), latency: 0.5, smooth: true);

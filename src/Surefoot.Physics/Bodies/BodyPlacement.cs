@@ -77,14 +77,14 @@ public sealed partial class PhysicsBody
         if (!engine.Transitions.TryRent(out Transition? transition)) return PlacementResult.GeneralFailure;
         SeedMover(transition, MoverFlags.None);
         PlacementResult result;
-        if (request.Flags.HasFlag(PlacementFlags.RandomScatter))
+        if ((request.Flags & PlacementFlags.RandomScatter) != 0)
         {
             result = Scatter(request, transition);
         }
         else
         {
             result = PlaceAt(request.Position, request.Flags, transition);
-            if (result != PlacementResult.OK && request.Flags.HasFlag(PlacementFlags.Scatter)) result = Scatter(request, transition);
+            if (result != PlacementResult.OK && (request.Flags & PlacementFlags.Scatter) != 0) result = Scatter(request, transition);
         }
 
         engine.Transitions.Return();
@@ -127,8 +127,8 @@ public sealed partial class PhysicsBody
         }
 
         if ((Weenie & (WeenieTraits.Hook | WeenieTraits.Storage | WeenieTraits.Corpse)) != 0) return ForceIntoCell(cell, place);
-        if (flags.HasFlag(PlacementFlags.DoNotCreateCells)) transition.Cells.DoNotLoadCells = true;
-        if (!CheckPosition(cell, ref place, transition, flags.HasFlag(PlacementFlags.Slide)))
+        if ((flags & PlacementFlags.DoNotCreateCells) != 0) transition.Cells.DoNotLoadCells = true;
+        if (!CheckPosition(cell, ref place, transition, (flags & PlacementFlags.Slide) != 0))
             return HandleAllCollisions(transition.Collision, false, false, updateTime) ? PlacementResult.Collided : PlacementResult.NoValidPosition;
         if (transition.Path.CurrCell is null) return PlacementResult.NoCell;
         Commit(transition, updateTime);

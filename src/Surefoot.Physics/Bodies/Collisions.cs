@@ -22,7 +22,7 @@ public sealed partial class PhysicsBody
     private bool HandleAllCollisions(CollisionInfo info, bool hadContact, bool hadWalkable, double simulatedTime)
     {
         bool nowWalkable = OnWalkable;
-        bool mayBounce = !hadWalkable || !nowWalkable || State.HasFlag(PhysicsState.Sledding);
+        bool mayBounce = !hadWalkable || !nowWalkable || State.Has(PhysicsState.Sledding);
         bool reported = false;
         foreach (WorldObject other in info.Objects) reported |= TrackObjectCollision(other, hadContact, simulatedTime);
         ReportCollisionEnd(simulatedTime, force: false);
@@ -43,7 +43,7 @@ public sealed partial class PhysicsBody
     /// <summary>Reflects the velocity into the obstacle, nearly all of it lost.</summary>
     private void Bounce(in Vector3 normal)
     {
-        if (State.HasFlag(PhysicsState.Inelastic))
+        if (State.Has(PhysicsState.Inelastic))
         {
             velocity = Vector3.Zero;
             return;
@@ -59,23 +59,23 @@ public sealed partial class PhysicsBody
     /// <remarks>Retail: CPhysicsObj::track_object_collision @0x00513F10.</remarks>
     private bool TrackObjectCollision(WorldObject other, bool hadContact, double simulatedTime)
     {
-        if (other.State.HasFlag(PhysicsState.Static)) return ReportEnvironmentCollision(hadContact);
+        if (other.State.Has(PhysicsState.Static)) return ReportEnvironmentCollision(hadContact);
         touching ??= [];
         bool known = touching.ContainsKey(other.Id);
-        touching[other.Id] = new CollisionRecord(simulatedTime, other.State.HasFlag(PhysicsState.Ethereal));
+        touching[other.Id] = new CollisionRecord(simulatedTime, other.State.Has(PhysicsState.Ethereal));
         return !known && ReportObjectCollision(other, hadContact);
     }
 
     /// <remarks>Retail: CPhysicsObj::report_object_collision @0x00513060.</remarks>
     private bool ReportObjectCollision(WorldObject other, bool hadContact)
     {
-        if (other.State.HasFlag(PhysicsState.ReportCollisionsAsEnvironment)) return ReportEnvironmentCollision(hadContact);
+        if (other.State.Has(PhysicsState.ReportCollisionsAsEnvironment)) return ReportEnvironmentCollision(hadContact);
         Vector3 relative = velocity - other.Velocity;
-        bool wasMissile = State.HasFlag(PhysicsState.Missile), otherIsMissile = other.State.HasFlag(PhysicsState.Missile);
+        bool wasMissile = State.Has(PhysicsState.Missile), otherIsMissile = other.State.Has(PhysicsState.Missile);
         bool reported = false;
-        if (!other.State.HasFlag(PhysicsState.IgnoreCollisions))
+        if (!other.State.Has(PhysicsState.IgnoreCollisions))
         {
-            if (State.HasFlag(PhysicsState.ReportCollisions) && Weenie != WeenieTraits.None)
+            if (State.Has(PhysicsState.ReportCollisions) && Weenie != WeenieTraits.None)
             {
                 if (wasMissile) Listener?.OnAttackCollision(this, new AttackCollision(other.Id, QuadrantOf(other, this)));
                 else Listener?.OnObjectCollision(this, ProfileOf(other, relative, hadContact, otherIsMissile, other.HasContact));
@@ -85,7 +85,7 @@ public sealed partial class PhysicsBody
             if (wasMissile) State &= ~MissileBits;
         }
 
-        if (other.State.HasFlag(PhysicsState.ReportCollisions) && !State.HasFlag(PhysicsState.IgnoreCollisions) && other.Weenie != WeenieTraits.None)
+        if (other.State.Has(PhysicsState.ReportCollisions) && !State.Has(PhysicsState.IgnoreCollisions) && other.Weenie != WeenieTraits.None)
         {
             ICollisionListener? listener = (other as PhysicsBody)?.Listener;
             if (otherIsMissile) listener?.OnAttackCollision(other, new AttackCollision(Id, QuadrantOf(this, other)));
@@ -101,10 +101,10 @@ public sealed partial class PhysicsBody
     private bool ReportEnvironmentCollision(bool hadContact)
     {
         if (collidingWithEnvironment) return false;
-        bool reported = State.HasFlag(PhysicsState.ReportCollisions) && Weenie != WeenieTraits.None;
+        bool reported = State.Has(PhysicsState.ReportCollisions) && Weenie != WeenieTraits.None;
         if (reported) Listener?.OnEnvironmentCollision(this, new EnvironmentCollision(velocity, hadContact));
         collidingWithEnvironment = true;
-        if (State.HasFlag(PhysicsState.Missile)) State &= ~MissileBits;
+        if (State.Has(PhysicsState.Missile)) State &= ~MissileBits;
         return reported;
     }
 
@@ -133,9 +133,9 @@ public sealed partial class PhysicsBody
     private void ReportObjectCollisionEnd(uint id)
     {
         PhysicsBody? other = engine.Find(id);
-        if (other is not null && other.State.HasFlag(PhysicsState.ReportCollisionsAsEnvironment)) return;
-        if (State.HasFlag(PhysicsState.ReportCollisions) && Weenie != WeenieTraits.None) Listener?.OnCollisionEnd(this, id);
-        if (other is not null && other.State.HasFlag(PhysicsState.ReportCollisions) && other.Weenie != WeenieTraits.None)
+        if (other is not null && other.State.Has(PhysicsState.ReportCollisionsAsEnvironment)) return;
+        if (State.Has(PhysicsState.ReportCollisions) && Weenie != WeenieTraits.None) Listener?.OnCollisionEnd(this, id);
+        if (other is not null && other.State.Has(PhysicsState.ReportCollisions) && other.Weenie != WeenieTraits.None)
             other.Listener?.OnCollisionEnd(other, Id);
     }
 

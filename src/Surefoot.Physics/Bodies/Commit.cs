@@ -33,7 +33,7 @@ public sealed partial class PhysicsBody
     private MoverFlags SeedContact(Transition transition)
     {
         MoverFlags flags = MoverFlags.None;
-        if (State.HasFlag(PhysicsState.EdgeSlide)) flags |= MoverFlags.EdgeSlide;
+        if (State.Has(PhysicsState.EdgeSlide)) flags |= MoverFlags.EdgeSlide;
         if (HasContact)
         {
             bool water = Has(TransientState.WaterContact);
@@ -51,7 +51,7 @@ public sealed partial class PhysicsBody
 
         if (Has(TransientState.Sliding)) transition.Collision.SetSlidingNormal(SlidingNormal);
         if (Setup is { AllowFreeHeading: true }) flags |= MoverFlags.FreeRotate;
-        if (State.HasFlag(PhysicsState.Missile)) flags |= MoverFlags.PathClipped;
+        if (State.Has(PhysicsState.Missile)) flags |= MoverFlags.PathClipped;
         return flags;
     }
 
@@ -97,7 +97,7 @@ public sealed partial class PhysicsBody
         HandleAllCollisions(collision, hadContact, hadWalkable, simulatedTime);
 
         if (Cell is null) return;
-        if (State.HasFlag(PhysicsState.HasPhysicsBsp)) engine.World.CalcCrossCells(this);
+        if (State.Has(PhysicsState.HasPhysicsBsp)) engine.World.CalcCrossCells(this);
         else if (transition.Cells.Count > 0) engine.World.PlaceShadows(this, transition.Cells);
     }
 

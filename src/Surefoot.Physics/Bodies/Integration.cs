@@ -31,7 +31,7 @@ public sealed partial class PhysicsBody
     /// </remarks>
     internal void UpdateObject(double now)
     {
-        if (Parent is not null || Cell is null || State.HasFlag(PhysicsState.Frozen))
+        if (Parent is not null || Cell is null || State.Has(PhysicsState.Frozen))
         {
             Transient &= ~TransientState.Active;
             return;
@@ -159,11 +159,11 @@ public sealed partial class PhysicsBody
     /// <summary>Missiles face along their way, sleds along their velocity.</summary>
     private void FaceTheWay(ref Frame frame)
     {
-        if (State.HasFlag(PhysicsState.AlignPath))
+        if (State.Has(PhysicsState.AlignPath))
         {
             frame.SetVectorHeading(RetailMath.Normalize(frame.Origin - PositionField.Frame.Origin));
         }
-        else if (State.HasFlag(PhysicsState.Sledding) && !RetailMath.IsZero(velocity))
+        else if (State.Has(PhysicsState.Sledding) && !RetailMath.IsZero(velocity))
         {
             Vector3 level = new(velocity.X, velocity.Y, 0);
             frame.SetHeading(RetailMath.Length(level) < RetailMath.Epsilon ? 0f : (float)Frame.HeadingOf(level));
@@ -175,7 +175,7 @@ public sealed partial class PhysicsBody
     private Frame UpdatePositionInternal(float quantum)
     {
         Frame offset = Frame.Identity;
-        bool hidden = State.HasFlag(PhysicsState.Hidden);
+        bool hidden = State.Has(PhysicsState.Hidden);
         if (!hidden)
         {
             Movement?.AccumulateRootMotion(quantum, ref offset);
@@ -241,7 +241,7 @@ public sealed partial class PhysicsBody
 
     private float FrictionNow(float speedSquared, float normalZ)
     {
-        if (!State.HasFlag(PhysicsState.Sledding)) return Friction;
+        if (!State.Has(PhysicsState.Sledding)) return Friction;
         if (speedSquared < SledSlowSquared) return 1f;
         return speedSquared < SledFastSquared || SledSlopeZ <= normalZ ? Friction : SledSlipperyFriction;
     }

@@ -11,14 +11,14 @@ public partial class WorldObject
     {
         ObjectInfo mover = transition.Object;
         SpherePath path = transition.Path;
-        bool ethereal = State.HasFlag(PhysicsState.Ethereal), isStatic = State.HasFlag(PhysicsState.Static);
-        if (ethereal && State.HasFlag(PhysicsState.IgnoreCollisions)) return TransitionState.OK;
+        bool ethereal = State.Has(PhysicsState.Ethereal), isStatic = State.Has(PhysicsState.Static);
+        if (ethereal && State.Has(PhysicsState.IgnoreCollisions)) return TransitionState.OK;
         if (mover.Has(MoverFlags.IsViewer) && (Weenie & WeenieTraits.Creature) != 0) return TransitionState.OK;
 
         bool soft = ethereal || (mover.Ethereal && !isStatic);
         if (soft && path.StepDown) return TransitionState.OK;
         path.ObstructionEthereal = soft;
-        bool creature = State.HasFlag(PhysicsState.Missile) || (Weenie & WeenieTraits.Creature) != 0;
+        bool creature = State.Has(PhysicsState.Missile) || (Weenie & WeenieTraits.Creature) != 0;
         TransitionState state = PassesPlayer(mover) || mover.MissileIgnores(this)
             ? TransitionState.OK
             : FindShapeCollisions(transition, creature);

@@ -19,6 +19,9 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody
     private const float DefaultElasticity = 0.05f;
     private const float MaxElasticity = 0.1f;
 
+    /// <summary>A body of two spheres rarely reaches more cells.</summary>
+    private const int UsualShadows = 16;
+
     private readonly PhysicsEngine engine;
     private Vector3 velocity;
     private Vector3 omega;
@@ -32,6 +35,7 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody
         Weenie = weenie;
         Scale = scale;
         updateTime = engine.Now;
+        Shadows = new ShadowObject[UsualShadows];
     }
 
     /// <summary>Changing bits: contact, on walkable, sliding, active.</summary>
@@ -105,7 +109,7 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody
     public bool LastMoveWasAutonomous { get; set; }
 
     /// <inheritdoc/>
-    public bool HasGravity => State.HasFlag(PhysicsState.Gravity);
+    public bool HasGravity => State.Has(PhysicsState.Gravity);
 
     /// <inheritdoc/>
     public bool HasCell => Cell is not null;
@@ -200,7 +204,7 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody
             return true;
         }
 
-        if (State.HasFlag(PhysicsState.Static)) return false;
+        if (State.Has(PhysicsState.Static)) return false;
         if (!IsActive) updateTime = engine.Now;
         Transient |= TransientState.Active;
         return true;
@@ -243,14 +247,14 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody
     /// <remarks>Retail: CPhysicsObj::calc_acceleration @0x00510950.</remarks>
     private void CalcAcceleration()
     {
-        if (HasContact && OnWalkable && !State.HasFlag(PhysicsState.Sledding))
+        if (HasContact && OnWalkable && !State.Has(PhysicsState.Sledding))
         {
             Acceleration = Vector3.Zero;
             omega = Vector3.Zero;
         }
         else
         {
-            Acceleration = State.HasFlag(PhysicsState.Gravity) ? new Vector3(0, 0, Gravity) : Vector3.Zero;
+            Acceleration = State.Has(PhysicsState.Gravity) ? new Vector3(0, 0, Gravity) : Vector3.Zero;
         }
     }
 

@@ -152,3 +152,11 @@ public enum WeenieTraits
     /// <summary>A corpse.</summary>
     Corpse = 0x100,
 }
+
+/// <summary>Bit tests that cost nothing in any build; <c>Enum.HasFlag</c> boxes until the code is optimised.</summary>
+internal static class PhysicsStateExtensions
+{
+    /// <summary>Is any of the bits set?</summary>
+    [System.Runtime.CompilerServices.MethodImpl(System.Runtime.CompilerServices.MethodImplOptions.AggressiveInlining)]
+    internal static bool Has(this PhysicsState state, PhysicsState bits) => (state & bits) != 0;
+}

@@ -74,7 +74,7 @@ public sealed partial class PhysicsBody
     /// <remarks>Retail: CPhysicsObj::check_collision @0x00512ED0.</remarks>
     internal bool Overlaps(WorldObject target)
     {
-        if (State.HasFlag(PhysicsState.Static)) return false;
+        if (State.Has(PhysicsState.Static)) return false;
         if (!engine.Transitions.TryRent(out Transition? transition)) return false;
         SeedMover(transition, SeedContact(transition));
         transition.Path.InitPath(Cell, hasBegin: true, PositionField, PositionField);

@@ -48,8 +48,8 @@ public sealed class ObjectInfo
         Mover = mover;
         StepUpHeight = mover.StepUpHeight;
         StepDownHeight = mover.StepDownHeight;
-        Ethereal = mover.State.HasFlag(PhysicsState.Ethereal);
-        KeepsToGround = !mover.State.HasFlag(PhysicsState.Missile);
+        Ethereal = mover.State.Has(PhysicsState.Ethereal);
+        KeepsToGround = !mover.State.Has(PhysicsState.Missile);
         WeenieTraits weenie = mover.Weenie;
         if ((weenie & WeenieTraits.Impenetrable) != 0) flags |= MoverFlags.IsImpenetrable;
         if ((weenie & WeenieTraits.Player) != 0) flags |= MoverFlags.IsPlayer;
@@ -66,10 +66,10 @@ public sealed class ObjectInfo
     /// <remarks>Retail: OBJECTINFO::missile_ignore @0x0050CEB0.</remarks>
     internal bool MissileIgnores(WorldObject other)
     {
-        if (other.State.HasFlag(PhysicsState.Missile)) return true;
-        if (Mover is null || !Mover.State.HasFlag(PhysicsState.Missile)) return false;
+        if (other.State.Has(PhysicsState.Missile)) return true;
+        if (Mover is null || !Mover.State.Has(PhysicsState.Missile)) return false;
         if (other.Id == TargetId || other.Weenie == WeenieTraits.None) return false;
-        return other.State.HasFlag(PhysicsState.Ethereal) || (TargetId != 0 && (other.Weenie & WeenieTraits.Creature) != 0);
+        return other.State.Has(PhysicsState.Ethereal) || (TargetId != 0 && (other.Weenie & WeenieTraits.Creature) != 0);
     }
 
     /// <summary>A plane that can be walked on, by its unit normal.</summary>

@@ -71,7 +71,7 @@ public sealed partial class Transition
     /// </summary>
     private void CountStationaryFall(bool moved)
     {
-        if (Object.Has(MoverFlags.IsViewer) || Object.Mover is null || !Object.Mover.State.HasFlag(PhysicsState.Gravity)) return;
+        if (Object.Has(MoverFlags.IsViewer) || Object.Mover is null || !Object.Mover.State.Has(PhysicsState.Gravity)) return;
         if (moved)
         {
             Collision.FramesStationaryFall = 0;

@@ -6,7 +6,8 @@ namespace Surefoot.Physics.World;
 /// <content>The objects that overlap the cell, in the order in which they are tested.</content>
 public abstract partial class ObjCell
 {
-    private Shadow[] shadows = [];
+    // Room for what stands here and a few who pass, so that passing does not allocate.
+    private Shadow[] shadows = new Shadow[4];
     private int staticCount;
 
     /// <summary>Number of objects listed.</summary>

@@ -17,7 +17,7 @@ internal sealed class WalkRunner : IMovementSink
 
     private readonly List<WalkSample> samples = [];
     private readonly List<WalkEvent> events = [];
-    private double start;
+    private double start = double.NaN;
 
     /// <summary>Runs the script to its end.</summary>
     /// <param name="scene">The world.</param>

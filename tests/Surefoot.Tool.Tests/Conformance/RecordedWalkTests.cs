@@ -1,0 +1,38 @@
+using Surefoot.Dats;
+using Surefoot.Physics.Assets;
+using Surefoot.Physics.World;
+using Surefoot.Tool.Conformance;
+
+namespace Surefoot.Tool.Tests.Conformance;
+
+/// <summary>Replays the recorded walks of <c>tests/data/vectors</c> in the world they were recorded in.</summary>
+public class RecordedWalkTests
+{
+    private static readonly string[] Files = ["walk-11.jsonl.gz", "walk-12.jsonl.gz", "walk-13.jsonl.gz"];
+
+    [Theory, Behaviour("conformance.walks", "recorded walks, corrected to the retail rules")]
+    [InlineData("outdoor")]
+    [InlineData("border")]
+    [InlineData("scenery")]
+    [InlineData("statics")]
+    [InlineData("house")]
+    [InlineData("dungeon")]
+    public void Recorded_walks_come_out_the_same(string scenes)
+    {
+        using DatSet dats = DatSet.Open(Repository.PathOf("tests", "data", "worlds", "first"));
+        PhysicsDataCache cache = new(dats);
+        PhysicsWorld world = new(cache);
+        foreach (uint id in dats.IdsOf(DatRecordType.LandBlock)) world.LoadLandblock(id);
+        WalkReplay replay = new(world, cache.GetSetup);
+        ConformanceReport report = new();
+        foreach (string file in Files.Take(Fuzz.Cases(1)))
+            foreach (WalkCase walk in WalkCase.ReadAll(Repository.PathOf("tests", "data", "vectors", file)))
+                if (walk.Scene.StartsWith(scenes, StringComparison.Ordinal)) report.Add(walk, replay);
+        Assert.NotEmpty(report.Scenes);
+        foreach ((string name, SceneScore reseated, SceneScore free) in report.Scenes)
+        {
+            Assert.True(reseated.StepsEqual >= 0.997 * reseated.Steps, $"{name}: {reseated.StepsEqual} of {reseated.Steps} steps equal re-seated");
+            Assert.True(free.CasesEqual >= 0.98 * free.Cases, $"{name}: {free.CasesEqual} of {free.Cases} cases equal free-running");
+        }
+    }
+}
