@@ -56,7 +56,7 @@ public class LoopbackServerTests
     }
 
     [Fact]
-    [Behaviour("loopback.update-motion-alone-carries-the-rate", "issue 3, item 5; spec/01, 4.5")]
+    [Behaviour("loopback.update-motion-alone-carries-the-rate", "design.md")]
     public void The_forward_speed_of_the_answer_is_adopted()
     {
         KeyFixture f = new(new PlayerWeenie(new CharacterStats(0, 0), RunRateSource.Server));

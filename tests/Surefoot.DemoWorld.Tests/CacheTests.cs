@@ -15,7 +15,7 @@ public sealed class CacheTests : IDisposable
         Directory.Delete(folder, recursive: true);
     }
 
-    [Fact, Behaviour("demo-world.cache.writes-once", "issue 3, item 3")]
+    [Fact, Behaviour("demo-world.cache.writes-once", "design.md, Two commands")]
     public void A_world_is_written_once_and_then_found()
     {
         string first = DemoWorldCache.GetOrCreate();
@@ -28,7 +28,7 @@ public sealed class CacheTests : IDisposable
         Assert.NotEqual(first, DemoWorldCache.GetOrCreate(seed: 5));
     }
 
-    [Fact, Behaviour("demo-world.cache.survives-a-race", "issue 3, item 3")]
+    [Fact, Behaviour("demo-world.cache.survives-a-race", "design.md, Two commands")]
     public async Task Several_callers_at_once_get_one_whole_world()
     {
         string[] folders = await Task.WhenAll(Enumerable.Range(0, 8).Select(_ => Task.Run(() => DemoWorldCache.GetOrCreate(seed: 77), TestContext.Current.CancellationToken)));
@@ -38,7 +38,7 @@ public sealed class CacheTests : IDisposable
         Assert.Single(Directory.GetDirectories(DemoWorldCache.Root));
     }
 
-    [Fact, Behaviour("demo-world.cache.repairs-damage", "issue 3, item 3")]
+    [Fact, Behaviour("demo-world.cache.repairs-damage", "design.md, Two commands")]
     public void A_world_that_lost_a_file_is_written_again()
     {
         string world = DemoWorldCache.GetOrCreate();
@@ -47,7 +47,7 @@ public sealed class CacheTests : IDisposable
         Assert.True(File.Exists(Path.Combine(world, DatSet.CellName)));
     }
 
-    [Fact, Behaviour("demo-world.cache.reports-progress", "issue 3, item 3")]
+    [Fact, Behaviour("demo-world.cache.reports-progress", "design.md, Two commands")]
     public void Writing_tells_how_far_it_is()
     {
         var steps = new List<DemoWorldProgress>();

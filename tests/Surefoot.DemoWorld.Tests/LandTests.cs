@@ -31,7 +31,7 @@ public sealed class LandTests(DemoFolder world) : IClassFixture<DemoFolder>
         Assert.Equal(2 * 10 * 9 * 9, borders);
     }
 
-    [Fact, Behaviour("demo-world.land.has-six-by-six-blocks", "issue 3, item 3")]
+    [Fact, Behaviour("demo-world.land.has-six-by-six-blocks", "design.md, Two commands")]
     public void The_land_has_at_least_six_by_six_blocks_and_the_open_sea_around_it()
     {
         Assert.True(DemoTerrain.LandBlocks >= 6);
@@ -69,7 +69,7 @@ public sealed class LandTests(DemoFolder world) : IClassFixture<DemoFolder>
             Assert.True(heights[i] > heights[i - 1]);
     }
 
-    [Fact, Behaviour("demo-world.land.runway-is-flat", "issue 3, item 3")]
+    [Fact, Behaviour("demo-world.land.runway-is-flat", "design.md, Two commands")]
     public void The_runway_is_flat_for_more_than_five_blocks()
     {
         Assert.True(DemoPlaces.TryFind("runway", out var start));
@@ -123,7 +123,7 @@ public sealed class LandTests(DemoFolder world) : IClassFixture<DemoFolder>
         Assert.True(steep > 30, $"only {steep} of 99 points are steep");
     }
 
-    [Fact, Behaviour("demo-world.land.cliff-falls-off", "issue 3, item 3")]
+    [Fact, Behaviour("demo-world.land.cliff-falls-off", "design.md, Two commands")]
     public void The_cliff_drops_more_than_30_metres_at_more_than_the_walkable_slope()
     {
         var brink = Place("cliff-edge");

@@ -4,7 +4,7 @@ namespace Surefoot.DemoWorld.Tests;
 
 public sealed class MapTests
 {
-    [Fact, Behaviour("demo-world.map.names-every-place", "issue 3, item 3")]
+    [Fact, Behaviour("demo-world.map.names-every-place", "design.md, Two commands")]
     public void The_map_is_well_formed_and_names_every_place()
     {
         var svg = XDocument.Parse(DemoMap.ToSvg());

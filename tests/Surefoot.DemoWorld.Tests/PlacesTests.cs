@@ -33,7 +33,7 @@ public sealed partial class PlacesTests(DemoFolder world) : IClassFixture<DemoFo
             Assert.Equal(ground, place.Origin.Z, 3);
     }
 
-    [Fact, Behaviour("demo-world.places.have-unique-plain-names", "issue 3, item 3")]
+    [Fact, Behaviour("demo-world.places.have-unique-plain-names", "design.md, Two commands")]
     public void Names_are_unique_kebab_case_and_each_place_says_what_to_try()
     {
         Assert.Equal(DemoPlaces.All.Length, DemoPlaces.All.Select(place => place.Name).Distinct().Count());
@@ -47,7 +47,7 @@ public sealed partial class PlacesTests(DemoFolder world) : IClassFixture<DemoFo
         Assert.Equal("meadow", DemoPlaces.All[0].Name);
     }
 
-    [Fact, Behaviour("demo-world.places.are-the-same-for-every-seed", "issue 3, item 3")]
+    [Fact, Behaviour("demo-world.places.are-the-same-for-every-seed", "design.md, Two commands")]
     public void Every_seed_has_the_same_places_by_name()
     {
         foreach (uint seed in new uint[] { 0, 1, 7, 123456789, uint.MaxValue })
@@ -69,7 +69,7 @@ public sealed partial class PlacesTests(DemoFolder world) : IClassFixture<DemoFo
         Assert.Equal(0f, facing.Z, 5);
     }
 
-    [Fact, Behaviour("demo-world.places.unknown-names-have-neighbours", "issue 3, bad input")]
+    [Fact, Behaviour("demo-world.places.unknown-names-have-neighbours", "design.md, decision 7")]
     public void An_unknown_name_is_not_found_and_resembling_names_are_offered()
     {
         Assert.False(DemoPlaces.TryFind("medow", out _));
@@ -78,7 +78,7 @@ public sealed partial class PlacesTests(DemoFolder world) : IClassFixture<DemoFo
         Assert.Equal("lake-shore", place.Name);
     }
 
-    [Fact, Behaviour("demo-world.places.border-lies-ahead", "issue 3, item 3")]
+    [Fact, Behaviour("demo-world.places.border-lies-ahead", "design.md, Two commands")]
     public void The_block_border_lies_a_few_steps_ahead_of_its_place()
     {
         Assert.True(DemoPlaces.TryFind("landblock-border", out var place));

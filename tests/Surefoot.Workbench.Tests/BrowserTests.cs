@@ -28,7 +28,7 @@ public sealed class BrowserTests(Browser browser) : IClassFixture<Browser>, IAsy
     public async ValueTask DisposeAsync() => await server.DisposeAsync();
 
     [Fact]
-    [Behaviour("workbench.browser.run-speed", "issue 3, acceptance: W for two seconds moves the drawn player the formula's distance within 5 %; spec/01, 4.1")]
+    [Behaviour("workbench.browser.run-speed", "design.md")]
     public async Task W_held_two_seconds_moves_the_drawn_player_the_formulas_distance()
     {
         await using Tab tab = await browser.OpenAsync(server);
@@ -47,7 +47,7 @@ public sealed class BrowserTests(Browser browser) : IClassFixture<Browser>, IAsy
     }
 
     [Fact]
-    [Behaviour("workbench.browser.smooth-between-steps", "issue 3, item 6: smooth motion while physics runs at its own quantum")]
+    [Behaviour("workbench.browser.smooth-between-steps", "design.md")]
     public async Task Drawn_positions_follow_the_path_between_physics_steps()
     {
         await using Tab tab = await browser.OpenAsync(server);
@@ -74,7 +74,7 @@ public sealed class BrowserTests(Browser browser) : IClassFixture<Browser>, IAsy
     }
 
     [Fact]
-    [Behaviour("workbench.browser.jump", "issue 3, acceptance: Space held one second jumps; the bar fills; spec/01, 4.12")]
+    [Behaviour("workbench.browser.jump", "design.md")]
     public async Task Space_held_one_second_fills_the_bar_and_jumps()
     {
         await using Tab tab = await browser.OpenAsync(server);
@@ -94,7 +94,7 @@ public sealed class BrowserTests(Browser browser) : IClassFixture<Browser>, IAsy
     }
 
     [Fact]
-    [Behaviour("workbench.browser.panel-agrees", "issue 3, acceptance: the panel's numbers agree with the server's")]
+    [Behaviour("workbench.browser.panel-agrees", "design.md")]
     public async Task The_panel_shows_the_servers_numbers_standing_and_running()
     {
         await using Tab tab = await browser.OpenAsync(server);
@@ -113,7 +113,7 @@ public sealed class BrowserTests(Browser browser) : IClassFixture<Browser>, IAsy
     }
 
     [Fact]
-    [Behaviour("workbench.browser.skill-sliders", "issue 3, item 6: sliders for run skill, jump skill, burden; spec/01, 6")]
+    [Behaviour("workbench.browser.skill-sliders", "design.md")]
     public async Task The_sliders_change_the_speed()
     {
         await using Tab tab = await browser.OpenAsync(server);
@@ -129,7 +129,7 @@ public sealed class BrowserTests(Browser browser) : IClassFixture<Browser>, IAsy
     }
 
     [Fact]
-    [Behaviour("workbench.browser.camera-places-triangles", "issue 3, item 6: camera orbits with the mouse, jump to a named place, triangles on demand")]
+    [Behaviour("workbench.browser.camera-places-triangles", "design.md")]
     public async Task Mouse_menu_and_keys_do_what_the_help_says()
     {
         await using Tab tab = await browser.OpenAsync(server);
@@ -163,7 +163,7 @@ public sealed class BrowserTests(Browser browser) : IClassFixture<Browser>, IAsy
     }
 
     [Fact]
-    [Behaviour("workbench.browser.tabs", "issue 3, item 6: several tabs; a closed tab leaves nothing behind")]
+    [Behaviour("workbench.browser.tabs", "design.md")]
     public async Task Two_tabs_see_each_other_and_a_closed_one_is_gone()
     {
         await using Tab one = await browser.OpenAsync(server);

@@ -9,7 +9,7 @@ namespace Surefoot.Workbench.Tests;
 public sealed class ConnectionTests
 {
     [Fact]
-    [Behaviour("workbench.page.slow-reader-costs-no-memory", "issue 3, item 6: input from a page is untrusted")]
+    [Behaviour("workbench.page.slow-reader-costs-no-memory", "design.md")]
     public async Task A_page_that_does_not_read_loses_its_oldest_frames_and_holds_no_more_than_a_bounded_queue()
     {
         using ServerCounters counters = new();

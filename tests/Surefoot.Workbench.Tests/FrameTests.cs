@@ -17,7 +17,7 @@ public sealed class FrameTests
         new Plane(0, 0.5f, 0.75f, -20), 0.125f, 0.0625f, 2.5f, 0x44000007, 2.5f, -0.5f, -1.5f, 5);
 
     [Fact]
-    [Behaviour("workbench.frames.page-and-server-agree", "design, Two commands; issue 3, item 6")]
+    [Behaviour("workbench.frames.page-and-server-agree", "design.md, Two commands")]
     public void Page_and_server_read_and_write_the_same_bytes()
     {
         Assert.True(ClientFrame.TryParse(Bytes("input"), Places, out ClientFrame input));
@@ -34,7 +34,7 @@ public sealed class FrameTests
     }
 
     [Theory]
-    [Behaviour("workbench.frames.refuses-malformed", "issue 3, item 6: input from a page is untrusted")]
+    [Behaviour("workbench.frames.refuses-malformed", "design.md")]
     [InlineData("")]
     [InlineData("00")]
     [InlineData("01")]
@@ -52,7 +52,7 @@ public sealed class FrameTests
         Assert.False(ClientFrame.TryParse(Convert.FromHexString(hex.Replace(" ", "", StringComparison.Ordinal)), Places, out _));
 
     [Fact]
-    [Behaviour("workbench.frames.accepted-is-in-range", "issue 3, item 6: input from a page is untrusted")]
+    [Behaviour("workbench.frames.accepted-is-in-range", "design.md")]
     public void Whatever_the_bytes_an_accepted_frame_is_within_the_limits() =>
         Gen.Byte.Array[0, 12].Sample(
             bytes =>

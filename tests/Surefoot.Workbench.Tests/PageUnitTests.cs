@@ -6,7 +6,7 @@ namespace Surefoot.Workbench.Tests;
 public sealed class PageUnitTests
 {
     [Fact]
-    [Behaviour("workbench.page.unit-tests-pass", "issue 3, item 6: frames, interpolation, terrain heights")]
+    [Behaviour("workbench.page.unit-tests-pass", "design.md")]
     public async Task The_pages_own_tests_pass()
     {
         string folder = typeof(PageUnitTests).Assembly.GetCustomAttributes<AssemblyMetadataAttribute>().Single(one => one.Key == "PageFolder").Value!;

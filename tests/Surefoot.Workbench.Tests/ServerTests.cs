@@ -24,7 +24,7 @@ public sealed class ServerTests : IAsyncLifetime
     }
 
     [Fact]
-    [Behaviour("workbench.server.serves-the-page", "issue 3, items 1 and 6")]
+    [Behaviour("workbench.server.serves-the-page", "design.md")]
     public async Task The_page_and_all_that_it_names_are_served()
     {
         using HttpResponseMessage page = await http.GetAsync(server.Address);
@@ -39,7 +39,7 @@ public sealed class ServerTests : IAsyncLifetime
     }
 
     [Fact]
-    [Behaviour("workbench.server.terrain-as-physics-built-it", "issue 3, item 6: a wrong split shows; spec/05, 4.3")]
+    [Behaviour("workbench.server.terrain-as-physics-built-it", "design.md")]
     public async Task Terrain_is_heights_words_and_split_directions()
     {
         byte[] bytes = await http.GetByteArrayAsync(new Uri(server.Address, "/terrain/a9b4/0"));
@@ -55,7 +55,7 @@ public sealed class ServerTests : IAsyncLifetime
     }
 
     [Fact]
-    [Behaviour("workbench.server.occupied-port", "issue 3, Bad input: occupied port")]
+    [Behaviour("workbench.server.occupied-port", "design.md")]
     public async Task An_occupied_port_makes_it_take_the_next_free_one()
     {
         using TcpListener taken = new(IPAddress.Loopback, 0);
@@ -67,7 +67,7 @@ public sealed class ServerTests : IAsyncLifetime
     }
 
     [Theory]
-    [Behaviour("workbench.server.refuses-other-sites", "issue 3, item 6: input from a page is untrusted")]
+    [Behaviour("workbench.server.refuses-other-sites", "design.md")]
     [InlineData("http://evil.example")]
     [InlineData("http://127.0.0.1:1")]
     [InlineData("null")]
@@ -79,7 +79,7 @@ public sealed class ServerTests : IAsyncLifetime
     }
 
     [Fact]
-    [Behaviour("workbench.player.keys-move-it", "issue 3, item 6")]
+    [Behaviour("workbench.player.keys-move-it", "design.md")]
     public async Task Keys_move_the_players_pose_and_the_pose_names_the_input_it_took()
     {
         await using RawPage page = await RawPage.OpenAsync(server);
@@ -94,7 +94,7 @@ public sealed class ServerTests : IAsyncLifetime
     }
 
     [Fact]
-    [Behaviour("workbench.input.malformed-counted-and-dropped", "issue 3, item 6: malformed frames are counted and dropped")]
+    [Behaviour("workbench.input.malformed-counted-and-dropped", "design.md")]
     public async Task Malformed_frames_are_counted_and_dropped_and_the_page_plays_on()
     {
         await using RawPage page = await RawPage.OpenAsync(server);
@@ -113,7 +113,7 @@ public sealed class ServerTests : IAsyncLifetime
     }
 
     [Fact]
-    [Behaviour("workbench.input.flood-keeps-the-newest", "issue 3, item 6: input from a page is untrusted")]
+    [Behaviour("workbench.input.flood-keeps-the-newest", "design.md")]
     public async Task A_flood_of_frames_neither_stops_the_world_nor_loses_the_last_key()
     {
         await using RawPage flood = await RawPage.OpenAsync(server);
@@ -127,7 +127,7 @@ public sealed class ServerTests : IAsyncLifetime
     }
 
     [Fact]
-    [Behaviour("workbench.tabs.share-one-world", "issue 3, item 6: several tabs may be open")]
+    [Behaviour("workbench.tabs.share-one-world", "design.md")]
     public async Task Each_tab_has_its_own_player_and_sees_the_others()
     {
         await using RawPage one = await RawPage.OpenAsync(server);
@@ -141,7 +141,7 @@ public sealed class ServerTests : IAsyncLifetime
     }
 
     [Theory]
-    [Behaviour("workbench.tabs.closed-leaves-nothing", "issue 3, item 6: a closed tab leaves nothing behind")]
+    [Behaviour("workbench.tabs.closed-leaves-nothing", "design.md")]
     [InlineData(true)]
     [InlineData(false)]
     public async Task A_closed_tab_leaves_no_player_and_the_others_are_told(bool politely)
@@ -157,7 +157,7 @@ public sealed class ServerTests : IAsyncLifetime
     }
 
     [Fact]
-    [Behaviour("workbench.tabs.limited", "issue 3, item 6: input from a page is untrusted")]
+    [Behaviour("workbench.tabs.limited", "design.md")]
     public async Task More_tabs_than_seats_are_refused_until_one_is_free()
     {
         RawPage[] pages = await Task.WhenAll(Enumerable.Range(0, 4).Select(_ => RawPage.OpenAsync(server)));
@@ -169,7 +169,7 @@ public sealed class ServerTests : IAsyncLifetime
     }
 
     [Fact]
-    [Behaviour("workbench.server.stops-cleanly", "issue 3, item 1")]
+    [Behaviour("workbench.server.stops-cleanly", "design.md")]
     public async Task Stopping_closes_every_page_and_the_world()
     {
         await using RawPage page = await RawPage.OpenAsync(server);

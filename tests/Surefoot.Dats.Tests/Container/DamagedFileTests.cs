@@ -66,7 +66,7 @@ public sealed class DamagedFileTests
         => AssertRecordError(bytes => ReaderTests.Patch(bytes, ReaderTests.EntryOffset(bytes, Slab) + 8, offset), Slab, "outside");
 
     [Fact]
-    [Behaviour("dats.chain.huge-size", "issue 3, item 2 (bounded memory)")]
+    [Behaviour("dats.chain.huge-size", "design.md")]
     public void A_huge_size_is_a_format_error()
         => AssertRecordError(bytes => ReaderTests.Patch(bytes, ReaderTests.EntryOffset(bytes, Slab) + 12, 0xFFFFFFFF), Slab, "do not fit");
 
@@ -155,7 +155,7 @@ public sealed class DamagedFileTests
     }
 
     [Fact]
-    [Behaviour("dats.file.one-byte", "issue 3, item 2")]
+    [Behaviour("dats.file.one-byte", "design.md")]
     public void Any_wrong_byte_of_a_file_is_a_value_or_a_format_error()
         => Gen.Select(RecordGen.Among(DatSet.PortalName, DatSet.CellName, DatSet.HighResName), Gen.Int[0, 0x8800], Gen.Byte, Gen.Bool).Sample(
             (name, place, value, inHeader) =>
@@ -174,7 +174,7 @@ public sealed class DamagedFileTests
             iter: Fuzz.Cases(150));
 
     [Fact]
-    [Behaviour("dats.file.truncated", "issue 3, item 2")]
+    [Behaviour("dats.file.truncated", "design.md")]
     public void A_file_cut_anywhere_is_a_value_or_a_format_error()
         => Gen.Select(RecordGen.Among(DatSet.PortalName, DatSet.CellName, DatSet.HighResName), Gen.Int[1, 0x8800]).Sample(
             (name, length) =>
@@ -191,7 +191,7 @@ public sealed class DamagedFileTests
             iter: Fuzz.Cases(100));
 
     [Fact]
-    [Behaviour("dats.verify.says-what-is-wrong", "issue 3, item 7")]
+    [Behaviour("dats.verify.says-what-is-wrong", "design.md")]
     public void Verifying_names_record_and_reason_and_reports_progress()
     {
         byte[] bytes = Mini(DatSet.PortalName);

@@ -66,7 +66,7 @@ public sealed class DatSetTests
     [InlineData(false, true, "has no client_portal.dat:")]
     [InlineData(true, false, "has no client_cell_1.dat:")]
     [InlineData(false, false, "has no client_portal.dat and client_cell_1.dat:")]
-    [Behaviour("dats.folder.missing", "issue 3, bad input")]
+    [Behaviour("dats.folder.missing", "design.md, decision 7")]
     public void A_missing_or_partial_folder_is_one_line_that_says_what_to_do(bool portal, bool cell, string expected)
     {
         using var folder = new TempFolder();
@@ -86,7 +86,7 @@ public sealed class DatSetTests
     }
 
     [Fact]
-    [Behaviour("dats.folder.file-instead", "issue 3, bad input")]
+    [Behaviour("dats.folder.file-instead", "design.md, decision 7")]
     public void A_file_instead_of_a_folder_is_said()
         => Assert.Contains("is a file", Assert.Throws<DatFolderException>(() => DatSet.Open(Path.Combine(TestData.Mini, DatSet.PortalName))).Message, StringComparison.Ordinal);
 

@@ -56,7 +56,7 @@ public sealed class ReaderTests
     }
 
     [Fact]
-    [Behaviour("dats.open.lazy", "issue 3, item 2 (opening reads the directory, not the file)")]
+    [Behaviour("dats.open.lazy", "design.md")]
     public void Opening_a_file_of_a_gigabyte_and_a_half_reads_its_directory_only()
     {
         using var folder = new TempFolder();
@@ -87,7 +87,7 @@ public sealed class ReaderTests
     }
 
     [Fact]
-    [Behaviour("dats.read.no-copy", "issue 3, item 2 (one record is read with no copy of its bytes)")]
+    [Behaviour("dats.read.no-copy", "design.md")]
     public void Reading_a_record_copies_none_of_its_bytes()
     {
         using var folder = new TempFolder();
@@ -165,7 +165,7 @@ public sealed class ReaderTests
     }
 
     [Fact]
-    [Behaviour("dats.read.concurrent", "issue 3, item 2 (thread-safe)")]
+    [Behaviour("dats.read.concurrent", "design.md")]
     public void Many_threads_read_the_same_file()
     {
         using var file = DatFile.Open(Path.Combine(TestData.Root, "worlds", "oracle", DatSet.PortalName));
@@ -211,7 +211,7 @@ public sealed class ReaderTests
     }
 
     [Fact]
-    [Behaviour("dats.source.any-library", "issue 3, item 2 (IDatSource)")]
+    [Behaviour("dats.source.any-library", "design.md")]
     public void Any_source_of_bytes_gives_typed_records()
     {
         IDatSource source = new OneRecord(0x12000001, TestData.SampleBytes("scene-12000001"));

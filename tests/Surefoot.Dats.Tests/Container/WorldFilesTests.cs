@@ -7,7 +7,7 @@ public sealed class WorldFilesTests
 
     [Theory]
     [MemberData(nameof(Files))]
-    [Behaviour("dats.worlds.re-encode-to-identical-bytes", "spec/07, section 7; issue 3, item 2")]
+    [Behaviour("dats.worlds.re-encode-to-identical-bytes", "spec/07, section 7")]
     public void Every_record_decodes_and_encodes_to_the_same_bytes(string name)
     {
         using var file = DatFile.Open(Path.Combine(TestData.Root, name));
@@ -22,7 +22,7 @@ public sealed class WorldFilesTests
 
     [Theory]
     [MemberData(nameof(Files))]
-    [Behaviour("dats.show.every-record-as-text-and-json", "issue 3, item 7")]
+    [Behaviour("dats.show.every-record-as-text-and-json", "design.md")]
     public void Every_record_can_be_shown_as_text_and_JSON(string name)
     {
         using var file = DatFile.Open(Path.Combine(TestData.Root, name));

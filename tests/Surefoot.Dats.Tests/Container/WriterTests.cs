@@ -44,7 +44,7 @@ public sealed class WriterTests
     }
 
     [Fact]
-    [Behaviour("dats.writer.round-trip", "issue 3, item 2")]
+    [Behaviour("dats.writer.round-trip", "design.md")]
     public void What_is_written_is_read()
         => Gen.Select(
             Gen.Select(Gen.UInt[1, 0xFFFF0000], Gen.Byte.Array[1, 700]).Array[0, 200],

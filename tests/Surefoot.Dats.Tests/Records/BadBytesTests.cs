@@ -20,7 +20,7 @@ public sealed class BadBytesTests
 
     [Theory]
     [MemberData(nameof(Samples))]
-    [Behaviour("dats.bad-bytes.truncated", "issue 3, item 2")]
+    [Behaviour("dats.bad-bytes.truncated", "design.md")]
     public void A_truncated_record_is_a_format_error(string name)
     {
         DatRecordType type = TypeOf(name)!.Value;
@@ -37,7 +37,7 @@ public sealed class BadBytesTests
 
     [Theory]
     [MemberData(nameof(Samples))]
-    [Behaviour("dats.bad-bytes.one-byte", "issue 3, item 2")]
+    [Behaviour("dats.bad-bytes.one-byte", "design.md")]
     public void A_record_with_one_wrong_byte_is_a_value_or_a_format_error(string name)
     {
         DatRecordType type = TypeOf(name)!.Value;
@@ -61,7 +61,7 @@ public sealed class BadBytesTests
 
     [Theory]
     [MemberData(nameof(Samples))]
-    [Behaviour("dats.bad-bytes.hostile-count", "issue 3, item 2 (a count of 0xFFFFFFFF must not allocate)")]
+    [Behaviour("dats.bad-bytes.hostile-count", "design.md")]
     public void A_count_of_FFFFFFFF_allocates_nothing(string name)
     {
         DatRecordType type = TypeOf(name)!.Value;
@@ -80,7 +80,7 @@ public sealed class BadBytesTests
     }
 
     [Fact]
-    [Behaviour("dats.bad-bytes.any", "issue 3, item 2")]
+    [Behaviour("dats.bad-bytes.any", "design.md")]
     public void Any_record_with_some_wrong_bytes_is_a_value_or_a_format_error()
         => Gen.Select(RecordGen.Any, Gen.Int[0, int.MaxValue].Array[1, 4], Gen.Byte.Array[4], Gen.Int[0, 3]).Sample(
             (record, places, values, cut) =>
@@ -94,7 +94,7 @@ public sealed class BadBytesTests
             iter: Fuzz.Cases(3000));
 
     [Fact]
-    [Behaviour("dats.bad-bytes.noise", "issue 3, item 2")]
+    [Behaviour("dats.bad-bytes.noise", "design.md")]
     public void Noise_is_a_value_or_a_format_error()
         => Gen.Select(RecordGen.Among(Enum.GetValues<DatRecordType>()), Gen.Byte.Array[0, 300]).Sample(
             (type, bytes) =>

@@ -127,7 +127,7 @@ public sealed class PrimitiveTests
     }
 
     [Fact]
-    [Behaviour("dats.primitive.floats-keep-their-bits", "issue 3, item 2")]
+    [Behaviour("dats.primitive.floats-keep-their-bits", "design.md")]
     public void Every_float_keeps_its_bits()
         => Gen.UInt.Sample(bits =>
         {

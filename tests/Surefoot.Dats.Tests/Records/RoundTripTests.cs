@@ -8,7 +8,7 @@ namespace Surefoot.Dats.Tests;
 public sealed class RoundTripTests
 {
     [Fact]
-    [Behaviour("dats.record.round-trip", "issue 3, item 2")]
+    [Behaviour("dats.record.round-trip", "design.md")]
     public void Any_record_comes_back_from_its_bytes()
         => RecordGen.Any.Sample(
             record =>
@@ -21,7 +21,7 @@ public sealed class RoundTripTests
             iter: Fuzz.Cases(1000));
 
     [Fact]
-    [Behaviour("dats.record.chain-of-segments", "issue 3, item 2 (read with no copy)")]
+    [Behaviour("dats.record.chain-of-segments", "design.md")]
     public void A_record_in_pieces_decodes_as_in_one()
         => Gen.Select(RecordGen.Any, Gen.Int[1, 9]).Sample(
             (record, piece) =>

@@ -132,7 +132,7 @@ public class AssetCacheTests
         Assert.Equal(picture, new PhysicsDataCache(source).GetGfxObj(Records.SlabId).Always2D);
     }
 
-    [Fact, Behaviour("assets.cache.shared", "issue 2, 1: once per id and shared by all")]
+    [Fact, Behaviour("assets.cache.shared", "design.md, decision 3")]
     public void An_asset_is_read_once_and_shared()
     {
         MemorySource source = new MemorySource().Add(Records.Slab());

@@ -25,14 +25,14 @@ public class HostileRecordTests
         Assert.Contains(complaint, e.Message);
     }
 
-    [Fact, Behaviour("assets.hostile.missing-polygon", "issue 2, bad input")]
+    [Fact, Behaviour("assets.hostile.missing-polygon", "design.md, decision 7")]
     public void A_leaf_that_names_a_missing_polygon_is_refused()
     {
         AssertRefused(Records.Slab(leaf: [0, 1]), "polygon 1 of 1");
         AssertRefused(Records.Slab(leaf: [-1]), "polygon -1 of 1");
     }
 
-    [Fact, Behaviour("assets.hostile.missing-vertex", "issue 2, bad input")]
+    [Fact, Behaviour("assets.hostile.missing-vertex", "design.md, decision 7")]
     public void A_polygon_that_names_a_missing_vertex_or_none_is_refused()
     {
         AssertRefused(Records.Slab(corners: [0, 1, 4]), "vertex 4 of 4");
@@ -86,7 +86,7 @@ public class HostileRecordTests
         Assert.False(tree.HitsWalkable(Records.Near(0.2f), Vector3.UnitZ, 0));
     }
 
-    [Theory, Behaviour("assets.hostile.deep-tree", "issue 2, bad input: 10,000 nodes in a line")]
+    [Theory, Behaviour("assets.hostile.deep-tree", "design.md, decision 7")]
     [InlineData(false, false)]
     [InlineData(false, true)]
     [InlineData(true, false)]
@@ -110,11 +110,11 @@ public class HostileRecordTests
         Assert.True(RetailMath.IsFinite(search.Sphere.Center));
     }
 
-    [Fact, Behaviour("assets.hostile.endless-branches", "issue 2, bad input")]
+    [Fact, Behaviour("assets.hostile.endless-branches", "design.md, decision 7")]
     public void A_tree_that_would_need_too_large_a_stack_is_refused() =>
         AssertRefused(Records.Line(PhysicsBsp.MaxPending + 1, downFront: true, polygonsBeside: true), "branches");
 
-    [Fact, Behaviour("assets.hostile.cycle", "issue 2, bad input: cyclic by construction")]
+    [Fact, Behaviour("assets.hostile.cycle", "design.md, decision 7")]
     public void A_tree_that_is_none_is_refused()
     {
         PhysicsBspBuilder builder = new(PolygonSet.Empty);
