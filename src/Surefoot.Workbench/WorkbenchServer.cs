@@ -180,7 +180,13 @@ public sealed class WorkbenchServer : IAsyncDisposable
         world = world.Name,
         places = world.Places.Select(place => new
         {
-            name = place.Name, cell = place.CellId, x = place.Position.X, y = place.Position.Y, z = place.Position.Z, yaw = place.Yaw, hint = place.Hint,
+            name = place.Name,
+            cell = place.CellId,
+            x = place.Position.X,
+            y = place.Position.Y,
+            z = place.Position.Z,
+            yaw = place.Yaw,
+            hint = place.Hint,
         }),
     };
 

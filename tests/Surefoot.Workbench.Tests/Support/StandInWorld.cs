@@ -107,8 +107,18 @@ internal sealed class StandInWorld : IWorkbenchWorld
             if (!double.IsNaN(chargedSince)) flags |= PoseFlags.Charging;
             Pose = Pose with
             {
-                Time = now, Position = position, Yaw = yaw, Velocity = velocity, Speed = new Vector2(velocity.X, velocity.Y).Length(), Flags = flags, Charge = charge, Quantum = quantum, RunRate = rate,
-                ForwardSpeed = forward, SidestepSpeed = side, TurnSpeed = turn,
+                Time = now,
+                Position = position,
+                Yaw = yaw,
+                Velocity = velocity,
+                Speed = new Vector2(velocity.X, velocity.Y).Length(),
+                Flags = flags,
+                Charge = charge,
+                Quantum = quantum,
+                RunRate = rate,
+                ForwardSpeed = forward,
+                SidestepSpeed = side,
+                TurnSpeed = turn,
             };
         }
 

@@ -1,0 +1,175 @@
+using System.Numerics;
+using Microsoft.Extensions.Logging.Abstractions;
+using Surefoot.Dats;
+using Surefoot.DemoWorld;
+using Surefoot.Physics.World;
+using Surefoot.Workbench.Simulation;
+using Surefoot.Workbench.Wire;
+
+namespace Surefoot.Workbench.Tests;
+
+/// <summary>The physics behind the page, on the demo world, in a time that the tests make up.</summary>
+public sealed class SimulatedWorldTests : IDisposable
+{
+    private const double Turn = 1.0 / 240;
+
+    private readonly SimulatedWorld world = new("Demo", DatSet.Open(DemoWorldCache.GetOrCreate()), KnownPlaces.Demo(), NullLogger.Instance);
+    private double now = 100;
+
+    private WorkbenchPlace Runway => world.Places.Single(place => place.Name == "The runway");
+
+    public void Dispose() => world.Dispose();
+
+    [Theory]
+    [Behaviour("workbench.world.speeds", "spec/01, 4.1 and 6")]
+    [InlineData(300, 0, false, 10.6000004)]
+    [InlineData(300, 22_500, false, 7.3000002)]
+    [InlineData(800, 0, false, 18)]
+    [InlineData(300, 0, true, 3.12)]
+    public void A_players_pose_moves_with_the_formulas_speed(int run, int burden, bool walk, double speed)
+    {
+        IWorkbenchPlayer player = world.Join(1, new PlayerSettings(run, 250, burden), Runway, now);
+        Pass(1);
+        player.SetKeys(walk ? PlayerKeys.Forward | PlayerKeys.Walk : PlayerKeys.Forward, now);
+        Pass(1);
+        PlayerPose from = player.Pose;
+        Pass(5);
+        PlayerPose to = player.Pose;
+        double way = new Position(from.CellId, from.Position).OffsetTo(new Position(to.CellId, to.Position)).Length();
+        Assert.Equal(speed, way / (to.Time - from.Time), speed * 0.01);
+        Assert.Equal(speed, to.Speed, speed * 0.05);
+        Assert.True(to.Flags.HasFlag(PoseFlags.Contact | PoseFlags.OnWalkable));
+    }
+
+    [Fact]
+    [Behaviour("workbench.world.new-skill-waits-for-the-server", "issue 3, item 5: until the answer arrives the player moves at the old rate")]
+    public void A_new_run_skill_acts_when_the_server_has_answered()
+    {
+        IWorkbenchPlayer player = world.Join(1, new PlayerSettings(0, 250, 0), Runway, now);
+        player.SetKeys(PlayerKeys.Forward, now);
+        Pass(1);
+        Assert.Equal(1f, player.Pose.RunRate);
+        player.Configure(new PlayerSettings(300, 250, 0), now);
+        Pass(0.05);
+        Assert.Equal(1f, player.Pose.RunRate);
+        Pass(0.1);
+        Assert.Equal(2.65f, player.Pose.RunRate, 0.001f);
+    }
+
+    [Fact]
+    [Behaviour("workbench.world.jump-and-land", "spec/01, 4.12")]
+    public void A_held_jump_charges_and_a_release_jumps_and_lands()
+    {
+        IWorkbenchPlayer player = world.Join(1, PlayerSettings.Default, Runway, now);
+        Pass(1);
+        Drain(player);
+        float ground = player.Pose.Position.Z;
+        player.SetKeys(PlayerKeys.Jump, now);
+        Pass(0.5);
+        Assert.Equal(0.5, player.Pose.Charge, 0.05);
+        Assert.True(player.Pose.Flags.HasFlag(PoseFlags.Charging));
+        Pass(0.7);
+        Assert.Equal(1f, player.Pose.Charge);
+        player.SetKeys(PlayerKeys.None, now);
+        Pass(0.4);
+        Assert.False(player.Pose.Flags.HasFlag(PoseFlags.Contact));
+        Assert.True(player.Pose.Position.Z > ground + 2);
+        Pass(3);
+        List<PlayerEvent> events = Drain(player);
+        Assert.Equal([PlayerEventKind.Jumped, PlayerEventKind.Landed], events.Select(one => one.Kind).Distinct());
+        Assert.Equal(1f, events[0].Value);
+        Assert.Equal(ground, player.Pose.Position.Z, 0.01f);
+    }
+
+    [Fact]
+    [Behaviour("workbench.world.refused-jump-says-why", "spec/01, 4.12 and section 3: 0x49, too loaded to jump")]
+    public void A_jump_that_is_refused_says_why()
+    {
+        IWorkbenchPlayer player = world.Join(1, new PlayerSettings(300, 250, 30_000), Runway, now);
+        Pass(1);
+        Drain(player);
+        player.SetKeys(PlayerKeys.Jump, now);
+        PlayerEvent refused = Assert.Single(Drain(player));
+        Assert.Equal((PlayerEventKind.JumpRefused, 0x49u), (refused.Kind, refused.Code));
+    }
+
+    [Fact]
+    [Behaviour("workbench.world.every-place-stands", "issue 3, items 3 and 6: jump to a named place")]
+    public void At_every_named_place_a_player_stands_or_slides_on_the_ground_of_that_place()
+    {
+        IWorkbenchPlayer player = world.Join(1, PlayerSettings.Default, Runway, now);
+        foreach (WorkbenchPlace place in world.Places)
+        {
+            byte before = player.Pose.Teleports;
+            player.Goto(place, now);
+            Assert.Equal((byte)(before + 1), player.Pose.Teleports);
+            Vector3 offset = new Position(place.CellId, place.Position).OffsetTo(new Position(player.Pose.CellId, player.Pose.Position));
+            Assert.True(offset.Length() < 0.1f, $"{place.Name}: {offset} off");
+            Pass(0.5);
+            Assert.True(player.Pose.Flags.HasFlag(PoseFlags.Contact), $"{place.Name}: no ground");
+        }
+    }
+
+    [Fact]
+    [Behaviour("workbench.world.leaving-leaves-nothing", "issue 3, item 6: a closed tab leaves nothing behind")]
+    public void A_player_that_leaves_can_come_back_under_the_same_id_in_the_same_place()
+    {
+        for (int i = 0; i < 3; i++)
+        {
+            IWorkbenchPlayer player = world.Join(7, PlayerSettings.Default, Runway, now);
+            Pass(0.2);
+            Assert.True(Vector3.Distance(Runway.Position, player.Pose.Position) < 0.1f);
+            world.Leave(player);
+            Pass(0.2);
+        }
+    }
+
+    [Fact]
+    [Behaviour("workbench.world.terrain-split", "spec/05, 4.3 and 6.4")]
+    public void Terrain_is_cut_where_physics_cuts_it()
+    {
+        TerrainBlock terrain = world.ReadTerrain(0xA9B4)!;
+        for (uint cell = 0; cell < 64; cell++)
+        {
+            uint x = (8 * 0xA9) + (cell >> 3), y = (8 * 0xB4) + (cell & 7);
+            uint hash = unchecked((y * ((214614067 * x) + 1813693831)) - (1109124029 * x) - 1369149221);
+            Assert.Equal(hash >> 31 == 1, terrain.SouthWestCut[cell]);
+        }
+
+        Assert.Null(world.ReadTerrain(0x0101));
+    }
+
+    [Fact]
+    [Behaviour("workbench.server.missing-dat-folder", "issue 3, Bad input: missing or partial dat folder")]
+    public async Task A_folder_without_dat_files_is_refused_by_name()
+    {
+        string empty = Directory.CreateTempSubdirectory().FullName;
+        DatFolderException refused = await Assert.ThrowsAsync<DatFolderException>(
+            () => WorkbenchServer.StartAsync(new WorkbenchOptions { Port = 0, DatFolder = empty }));
+        Assert.Contains(DatSet.PortalName, refused.Message, StringComparison.Ordinal);
+        Directory.Delete(empty);
+    }
+
+    [Fact]
+    [Behaviour("workbench.server.any-dat-folder", "issue 3, item 1: --dats DIR")]
+    public async Task A_folder_of_dat_files_is_played_at_the_towns_that_it_has()
+    {
+        await using WorkbenchServer server = await WorkbenchServer.StartAsync(new WorkbenchOptions { Port = 0, DatFolder = DemoWorldCache.GetOrCreate() });
+        using HttpClient http = new();
+        string places = await http.GetStringAsync(new Uri(server.Address, "/places.json"));
+        Assert.Contains("Holtburg", places, StringComparison.Ordinal);
+        Assert.DoesNotContain("Yaraq", places, StringComparison.Ordinal);
+    }
+
+    private static List<PlayerEvent> Drain(IWorkbenchPlayer player)
+    {
+        List<PlayerEvent> events = [];
+        while (player.TryTakeEvent(out PlayerEvent happened)) events.Add(happened);
+        return events;
+    }
+
+    private void Pass(double seconds)
+    {
+        for (double end = now + seconds; now < end; now += Turn) world.Advance(now);
+    }
+}
