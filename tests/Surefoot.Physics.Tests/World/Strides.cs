@@ -1,0 +1,42 @@
+using System.Numerics;
+using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Geometry;
+
+namespace Surefoot.Physics.Tests.World;
+
+/// <summary>A movement side that moves its body by a given displacement, in the body's frame, each quantum.</summary>
+internal sealed class Strides : IBodyMovement
+{
+    internal Vector3 Next { get; set; }
+
+    /// <summary>Moves a body that stands, by one quantum.</summary>
+    internal static void Step(PhysicsBody body, Vector3 by)
+    {
+        if (body.Movement is not Strides) body.AttachMovement(new Strides());
+        ((Strides)body.Movement!).Next = by;
+        body.SetActive(true);
+        body.Step(1f / 30);
+    }
+
+    public void AccumulateRootMotion(float quantum, ref Frame offset) => offset.Origin = Next;
+
+    public void HitGround()
+    {
+    }
+
+    public void LeaveGround()
+    {
+    }
+
+    public void UseTime()
+    {
+    }
+
+    public void HandleEnterWorld()
+    {
+    }
+
+    public void HandleExitWorld()
+    {
+    }
+}
