@@ -25,6 +25,7 @@ public sealed class PhysicsEngine
         ArgumentNullException.ThrowIfNull(world);
         World = world;
         Transitions = new TransitionPool(world);
+        (world as PhysicsWorld)?.Attach(this);
         rollState = seed;
     }
 

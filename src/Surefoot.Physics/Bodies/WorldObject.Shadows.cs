@@ -44,13 +44,18 @@ public partial class WorldObject
         }
     }
 
-    /// <summary>Lists the object in one more cell.</summary>
+    /// <summary>Makes room for that many shadows.</summary>
+    internal void ReserveShadows(int count)
+    {
+        if (count > Shadows.Length) Array.Resize(ref Shadows, count);
+    }
+
+    /// <summary>Lists the object in one more cell; room must have been made.</summary>
     internal void AddShadow(uint cellId, ObjCell? cell)
     {
-        if (ShadowCount == Shadows.Length) Array.Resize(ref Shadows, Math.Max(1, ShadowCount * 2));
         Shadows[ShadowCount] = new ShadowObject { CellId = cellId, Cell = cell };
-        cell?.AddShadow(this, ShadowCount++);
-        if (cell is null) ShadowCount++;
+        cell?.AddShadow(this, ShadowCount);
+        ShadowCount++;
     }
 
     /// <summary>Lists the object nowhere.</summary>

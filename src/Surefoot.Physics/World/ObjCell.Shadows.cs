@@ -6,8 +6,10 @@ namespace Surefoot.Physics.World;
 /// <content>The objects that overlap the cell, in the order in which they are tested.</content>
 public abstract partial class ObjCell
 {
-    // Room for what stands here and a few who pass, so that passing does not allocate.
-    private Shadow[] shadows = new Shadow[4];
+    /// <summary>Room for a few bodies from the start: those that come by must not make the cell allocate.</summary>
+    private const int InitialCapacity = 4;
+
+    private Shadow[] shadows = new Shadow[InitialCapacity];
     private int staticCount;
 
     /// <summary>Number of objects listed.</summary>
@@ -40,7 +42,7 @@ public abstract partial class ObjCell
     /// <remarks>Retail: CObjCell::add_shadow_object @0x0052B280.</remarks>
     internal void AddShadow(WorldObject item, int ordinal)
     {
-        if (ShadowCount == shadows.Length) Array.Resize(ref shadows, Math.Max(1, ShadowCount * 2));
+        if (ShadowCount == shadows.Length) Array.Resize(ref shadows, ShadowCount * 2);
         int index = ShadowCount++;
         if (item is StaticObject { Order: ulong order })
         {

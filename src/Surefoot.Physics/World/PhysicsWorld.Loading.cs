@@ -8,6 +8,7 @@ namespace Surefoot.Physics.World;
 public sealed partial class PhysicsWorld
 {
     private readonly LandblockBuilder? builder;
+    private readonly List<WeakReference<PhysicsEngine>> engines = [];
 
     /// <summary>A world of which nothing is loaded yet.</summary>
     /// <param name="cache">Shapes and records; may be shared with other worlds.</param>
@@ -37,6 +38,7 @@ public sealed partial class PhysicsWorld
         if (FindLandblock(blockId) is not null) return true;
         if (builder?.Build(CellIds.BlockOf(blockId)) is not { } block) return false;
         Add(block);
+        TellLoaded(block.Id);
         return true;
     }
 
@@ -49,20 +51,40 @@ public sealed partial class PhysicsWorld
     public void EnsureLoadedAround(in Position position, int radius)
     {
         ArgumentOutOfRangeException.ThrowIfNegative(radius);
+        radius = Math.Min(radius, MapBlocks);
         int x = (int)(position.CellId >> 24), y = (int)((position.CellId >> 16) & 0xFF);
-        for (int i = Math.Max(x - radius, 0); i <= Math.Min(x + radius, MapBlocks - 1); i++)
+        List<uint> added = [];
+        try
         {
-            for (int j = Math.Max(y - radius, 0); j <= Math.Min(y + radius, MapBlocks - 1); j++) LoadLandblock(((uint)i << 24) | ((uint)j << 16));
+            for (int i = Math.Max(x - radius, 0); i <= Math.Min(x + radius, MapBlocks - 1); i++)
+            {
+                for (int j = Math.Max(y - radius, 0); j <= Math.Min(y + radius, MapBlocks - 1); j++)
+                {
+                    uint id = ((uint)i << 24) | ((uint)j << 16);
+                    if (FindLandblock(id) is not null || builder?.Build(id) is not { } block) continue;
+                    Add(block);
+                    added.Add(id);
+                }
+            }
+        }
+        finally
+        {
+            // Bodies come back to land whose neighbours are there.
+            foreach (uint id in added) TellLoaded(id);
         }
     }
 
-    /// <summary>Unloads a block. Bodies in it are told by <see cref="LandblockUnloading"/> before; those near by are no longer listed in it.</summary>
+    /// <summary>Unloads a block. Bodies in it wait until it is loaded again; those near by are no longer listed in it.</summary>
     /// <param name="blockId">Any id of the block.</param>
     /// <returns>False when it was not loaded.</returns>
     public bool UnloadLandblock(uint blockId)
     {
         if (FindLandblock(blockId) is not { } block) return false;
-        LandblockUnloading?.Invoke(block.Id);
+        foreach (WeakReference<PhysicsEngine> reference in engines)
+        {
+            if (reference.TryGetTarget(out PhysicsEngine? engine)) engine.OnLandblockUnloading(block.Id);
+        }
+
         foreach (StaticObject item in block.StaticObjects) item.ClearShadows();
         HashSet<StaticObject> reachIn = [];
         foreach (ObjCell cell in block.Cells)
@@ -99,6 +121,20 @@ public sealed partial class PhysicsWorld
 
         blocks.Add(block.Id, block);
         FillWaitingShadows(block);
-        LandblockLoaded?.Invoke(block.Id);
+    }
+
+    /// <summary>An engine's bodies follow what is loaded and unloaded, as long as somebody holds the engine.</summary>
+    internal void Attach(PhysicsEngine engine)
+    {
+        engines.RemoveAll(static reference => !reference.TryGetTarget(out _));
+        engines.Add(new WeakReference<PhysicsEngine>(engine));
+    }
+
+    private void TellLoaded(uint blockId)
+    {
+        foreach (WeakReference<PhysicsEngine> reference in engines)
+        {
+            if (reference.TryGetTarget(out PhysicsEngine? engine)) engine.OnLandblockLoaded(blockId);
+        }
     }
 }

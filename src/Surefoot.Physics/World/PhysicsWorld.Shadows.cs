@@ -6,6 +6,10 @@ namespace Surefoot.Physics.World;
 /// <content>Which cells list an object.</content>
 public sealed partial class PhysicsWorld
 {
+    /// <summary>A body reaches at most nine squares of land and a few rooms, whatever its size.</summary>
+    private const int UsualShadows = 16;
+
+    /// <summary>Bodies that reach into cells that are not loaded.</summary>
     private readonly HashSet<WorldObject> waiting = [];
     private CrossCells? crossCells;
 
@@ -17,6 +21,7 @@ public sealed partial class PhysicsWorld
         ArgumentNullException.ThrowIfNull(item);
         ArgumentNullException.ThrowIfNull(cells);
         item.ClearShadows();
+        item.ReserveShadows(item is StaticObject ? Math.Max(cells.Count, 1) : Math.Max(cells.Count, UsualShadows));
         if ((item.State & PhysicsState.ParticleEmitter) != 0)
         {
             if (item.Cell is not null) item.AddShadow(item.Cell.Id, item.Cell);

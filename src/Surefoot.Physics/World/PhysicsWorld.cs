@@ -25,12 +25,6 @@ public sealed partial class PhysicsWorld : ICellWorld
     /// <summary>Who may enter guarded cells; without it no player enters one.</summary>
     public IMoveRestrictions? Restrictions { get; set; }
 
-    /// <summary>A block was loaded, 0xXXYY0000.</summary>
-    public event Action<uint>? LandblockLoaded;
-
-    /// <summary>A block is about to be unloaded, 0xXXYY0000; bodies in it should leave it.</summary>
-    public event Action<uint>? LandblockUnloading;
-
     /// <summary>The loaded block of an id, or null.</summary>
     public Landblock? FindLandblock(uint cellId)
     {
