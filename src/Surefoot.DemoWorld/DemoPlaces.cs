@@ -1,13 +1,12 @@
 using System.Collections.Immutable;
-using System.Numerics;
-using Surefoot.DemoWorld.Land;
+using Surefoot.DemoWorld.Placement;
 
 namespace Surefoot.DemoWorld;
 
 /// <summary>The named places of the demo world, shared by the page, the tool and the tests.</summary>
 public static class DemoPlaces
 {
-    private static readonly Lazy<ImmutableArray<NamedPlace>> DefaultPlaces = new(() => For(DemoTerrain.Create()));
+    private static readonly Lazy<ImmutableArray<NamedPlace>> DefaultPlaces = new(() => WorldPlan.Create(DemoWorldBuilder.DefaultSeed).Places);
 
     /// <summary>The places of the world that <see cref="DemoWorldBuilder.DefaultSeed"/> makes, the starting place first.</summary>
     public static ImmutableArray<NamedPlace> All => DefaultPlaces.Value;
@@ -15,7 +14,7 @@ public static class DemoPlaces
     /// <summary>The places of a world with another seed.</summary>
     /// <remarks>The names are the same for every seed; some places move with the landscape.</remarks>
     public static ImmutableArray<NamedPlace> For(uint seed)
-        => seed == DemoWorldBuilder.DefaultSeed ? All : For(DemoTerrain.Create(seed));
+        => seed == DemoWorldBuilder.DefaultSeed ? All : WorldPlan.Create(seed).Places;
 
     /// <summary>Looks a place of the default world up by its name, without regard to case.</summary>
     public static bool TryFind(string name, out NamedPlace place)
@@ -27,13 +26,6 @@ public static class DemoPlaces
     /// <summary>The names that resemble one that nobody has, nearest first; for error messages.</summary>
     public static IEnumerable<string> Resembling(string name)
         => All.Select(p => p.Name).OrderBy(n => Distance(n, name.ToLowerInvariant())).ThenBy(n => n, StringComparer.Ordinal).Take(3);
-
-    internal static ImmutableArray<NamedPlace> For(DemoTerrain terrain)
-    {
-        var list = new PlaceList(terrain);
-        LandPlaces.AddTo(list);
-        return list.Places;
-    }
 
     private static int Distance(string a, string b)
     {
@@ -51,23 +43,5 @@ public static class DemoPlaces
         }
 
         return row[b.Length];
-    }
-}
-
-/// <summary>Collects places and puts them on the ground.</summary>
-internal sealed class PlaceList(DemoTerrain terrain)
-{
-    private readonly ImmutableArray<NamedPlace>.Builder places = ImmutableArray.CreateBuilder<NamedPlace>();
-
-    public DemoTerrain Terrain => terrain;
-
-    public ImmutableArray<NamedPlace> Places => places.ToImmutable();
-
-    /// <summary>Adds an outdoor place, given in metres from the land's south-west corner; the heading in degrees clockwise from north.</summary>
-    public void Add(string name, string title, double x, double y, double heading, string whatToTry)
-    {
-        var ground = terrain.GroundAt(x, y);
-        var feet = new Vector3(ground.Position.X, ground.Position.Y, ground.RestHeight);
-        places.Add(new(name, title, ground.CellId, feet, (float)heading, whatToTry));
     }
 }

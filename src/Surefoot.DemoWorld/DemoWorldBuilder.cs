@@ -1,8 +1,10 @@
 using Surefoot.Dats;
 using Surefoot.Dats.Records;
+using Surefoot.DemoWorld.Buildings;
 using Surefoot.DemoWorld.Human;
-using Surefoot.DemoWorld.Land;
+using Surefoot.DemoWorld.Placement;
 using Surefoot.DemoWorld.Records;
+using Surefoot.DemoWorld.Things;
 
 namespace Surefoot.DemoWorld;
 
@@ -18,7 +20,7 @@ public static class DemoWorldBuilder
     public const uint DefaultSeed = 1999;
 
     /// <summary>Writes client_portal.dat, client_cell_1.dat and an empty client_local_English.dat.</summary>
-    /// <remarks>The same seed gives the same bytes. Takes well under a second. Existing files of these names are replaced.</remarks>
+    /// <remarks>The same seed gives the same bytes. Takes about a second. Existing files of these names are replaced.</remarks>
     /// <param name="directory">Where to; made when missing.</param>
     /// <param name="seed">Chooses the landscape; the places keep their names.</param>
     /// <param name="progress">Told about each step; null when nobody listens.</param>
@@ -29,18 +31,21 @@ public static class DemoWorldBuilder
     {
         ArgumentException.ThrowIfNullOrWhiteSpace(directory);
         Directory.CreateDirectory(directory);
-        progress?.Report(new("shaping the land", 0.0));
-        var terrain = DemoTerrain.Create(seed);
+        progress?.Report(new("planning the world", 0.0));
+        var plan = WorldPlan.Create(seed);
         progress?.Report(new("writing the shared records", 0.4));
         WriteFile(Path.Combine(directory, DatSet.PortalName), DatFileKind.Portal, PortalRecords());
-        progress?.Report(new("writing the land", 0.7));
-        WriteFile(Path.Combine(directory, DatSet.CellName), DatFileKind.Cell, LandRecords.All(terrain));
+        progress?.Report(new("writing the land and its cells", 0.7));
+        WriteFile(Path.Combine(directory, DatSet.CellName), DatFileKind.Cell, plan.CellRecords());
         WriteFile(Path.Combine(directory, DatSet.LocalName), DatFileKind.Local, []);
         progress?.Report(new("done", 1.0));
     }
 
-    private static IEnumerable<DatRecord> PortalRecords()
-        => [.. Surfaces.All(), .. HumanBody.All(), .. HumanMotions.All(), .. RegionRecords.All()];
+    private static IEnumerable<DatRecord> PortalRecords() =>
+    [
+        RegionRecords.Region(), .. Surfaces.All(), .. HumanBody.All(), .. HumanMotions.All(), .. Creatures.All(), .. NatureShapes.All(), .. ObstacleShapes.All(),
+        House.Shell(), House.Interior.Environment(), Dungeon.Interior.Environment(),
+    ];
 
     private static void WriteFile(string path, DatFileKind kind, IEnumerable<DatRecord> records)
     {

@@ -1,4 +1,5 @@
 using System.Numerics;
+using Surefoot.DemoWorld.Placement;
 
 namespace Surefoot.DemoWorld;
 
@@ -12,12 +13,5 @@ namespace Surefoot.DemoWorld;
 public sealed record NamedPlace(string Name, string Title, uint CellId, Vector3 Origin, float Heading, string WhatToTry)
 {
     /// <summary>The heading as a rotation about +z, of length 1.</summary>
-    public Quaternion Orientation
-    {
-        get
-        {
-            double half = Heading * Math.PI / 360.0;
-            return new(0f, 0f, (float)-Math.Sin(half), (float)Math.Cos(half));
-        }
-    }
+    public Quaternion Orientation => new Spot(0, 0, 0, Heading).ToFrame().Rotation;
 }

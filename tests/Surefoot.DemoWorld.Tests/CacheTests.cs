@@ -34,7 +34,7 @@ public sealed class CacheTests : IDisposable
         string[] folders = await Task.WhenAll(Enumerable.Range(0, 8).Select(_ => Task.Run(() => DemoWorldCache.GetOrCreate(seed: 77), TestContext.Current.CancellationToken)));
         Assert.Single(folders.Distinct());
         using var dats = DatSet.Open(folders[0]);
-        Assert.Equal(100, dats.IdsOf(DatRecordType.LandBlock).Count());
+        Assert.Equal(101, dats.IdsOf(DatRecordType.LandBlock).Count());
         Assert.Single(Directory.GetDirectories(DemoWorldCache.Root));
     }
 

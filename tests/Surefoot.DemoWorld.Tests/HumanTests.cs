@@ -87,7 +87,7 @@ public sealed class HumanTests(DemoFolder world) : IClassFixture<DemoFolder>
     public void Poses_have_a_valid_frame_for_each_part_and_feet_stay_near_the_ground()
     {
         int parts = world.Dats.Read<Setup>(DemoIds.HumanSetup).PartIds.Length;
-        foreach (uint id in world.Dats.IdsOf(DatRecordType.Animation))
+        foreach (uint id in Table.Cycles.Concat(Table.Links.SelectMany(link => link.Targets)).SelectMany(entry => entry.Data.Animations).Select(play => play.AnimationId).Distinct())
         {
             var animation = world.Dats.Read<Animation>(id);
             Assert.Equal((uint)parts, animation.PartCount);

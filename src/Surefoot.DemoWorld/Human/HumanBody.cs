@@ -1,5 +1,6 @@
 using Surefoot.Dats.Records;
 using Surefoot.DemoWorld.Records;
+using Surefoot.DemoWorld.Shapes;
 
 namespace Surefoot.DemoWorld.Human;
 
@@ -30,33 +31,26 @@ internal static class HumanBody
     };
 
     // Boxes about the joint that each part turns around.
-    private static IEnumerable<DatRecord> Shapes()
+    private static IEnumerable<DatRecord> Shapes() =>
+    [
+        Drawn(Hips, (new(-0.17, -0.1, -0.08, 0.17, 0.1, 0.14), Surfaces.Trousers)),
+        Drawn(Chest, (new(-0.2, -0.12, 0, 0.2, 0.12, 0.42), Surfaces.Shirt), (new(-0.06, -0.06, 0.42, 0.06, 0.06, 0.5), Surfaces.Skin)),
+        Drawn(
+            Head,
+            (new(-0.1, -0.11, 0, 0.1, 0.12, 0.21), Surfaces.Skin),
+            (new(-0.02, 0.12, 0.07, 0.02, 0.155, 0.12), Surfaces.Skin),
+            (new(-0.11, -0.13, 0.1, 0.11, 0.06, 0.29), Surfaces.Hair)),
+        Drawn(UpperArm, (new(-0.055, -0.06, -0.31, 0.055, 0.06, 0.05), Surfaces.Shirt)),
+        Drawn(Forearm, (new(-0.045, -0.05, -0.27, 0.045, 0.05, 0), Surfaces.Shirt), (new(-0.04, -0.05, -0.42, 0.04, 0.05, -0.27), Surfaces.Skin)),
+        Drawn(Thigh, (new(-0.08, -0.09, -0.46, 0.08, 0.09, 0.03), Surfaces.Trousers)),
+        Drawn(Shin, (new(-0.07, -0.08, -0.34, 0.07, 0.07, 0), Surfaces.Trousers), (new(-0.07, -0.1, -0.48, 0.07, 0.17, -0.34), Surfaces.Boots)),
+    ];
+
+    private static GfxObj Drawn(uint id, params ReadOnlySpan<(Box Box, uint Surface)> boxes)
     {
-        yield return new ShapeBuilder()
-            .Box(new(-0.17f, -0.1f, -0.08f), new(0.17f, 0.1f, 0.14f), DemoIds.Trousers)
-            .Build(Hips);
-        yield return new ShapeBuilder()
-            .Box(new(-0.2f, -0.12f, 0f), new(0.2f, 0.12f, 0.42f), DemoIds.Shirt)
-            .Box(new(-0.06f, -0.06f, 0.42f), new(0.06f, 0.06f, 0.5f), DemoIds.Skin)
-            .Build(Chest);
-        yield return new ShapeBuilder()
-            .Box(new(-0.1f, -0.11f, 0f), new(0.1f, 0.12f, 0.21f), DemoIds.Skin)
-            .Box(new(-0.02f, 0.12f, 0.07f), new(0.02f, 0.155f, 0.12f), DemoIds.Skin)
-            .Box(new(-0.11f, -0.13f, 0.1f), new(0.11f, 0.06f, 0.29f), DemoIds.Hair)
-            .Build(Head);
-        yield return new ShapeBuilder()
-            .Box(new(-0.055f, -0.06f, -0.31f), new(0.055f, 0.06f, 0.05f), DemoIds.Shirt)
-            .Build(UpperArm);
-        yield return new ShapeBuilder()
-            .Box(new(-0.045f, -0.05f, -0.27f), new(0.045f, 0.05f, 0f), DemoIds.Shirt)
-            .Box(new(-0.04f, -0.05f, -0.42f), new(0.04f, 0.05f, -0.27f), DemoIds.Skin)
-            .Build(Forearm);
-        yield return new ShapeBuilder()
-            .Box(new(-0.08f, -0.09f, -0.46f), new(0.08f, 0.09f, 0.03f), DemoIds.Trousers)
-            .Build(Thigh);
-        yield return new ShapeBuilder()
-            .Box(new(-0.07f, -0.08f, -0.34f), new(0.07f, 0.07f, 0f), DemoIds.Trousers)
-            .Box(new(-0.07f, -0.1f, -0.48f), new(0.07f, 0.17f, -0.34f), DemoIds.Boots)
-            .Build(Shin);
+        var grid = new BoxGrid();
+        foreach (var (box, surface) in boxes)
+            grid.Fill(box, surface);
+        return Meshes.Drawn(id, grid.Faces());
     }
 }

@@ -1,4 +1,5 @@
 using System.Numerics;
+using Surefoot.DemoWorld.Placement;
 
 namespace Surefoot.DemoWorld.Land;
 
@@ -34,7 +35,7 @@ public sealed class DemoTerrain
     private readonly byte[] heights = new byte[GridSide * GridSide];
     private readonly ushort[] words = new ushort[GridSide * GridSide];
 
-    private DemoTerrain(uint seed)
+    internal DemoTerrain(uint seed)
     {
         Seed = seed;
         var form = new Landform(seed);
@@ -72,8 +73,8 @@ public sealed class DemoTerrain
         }
     }
 
-    /// <summary>Computes the land of a seed (a few milliseconds).</summary>
-    public static DemoTerrain Create(uint seed = DemoWorldBuilder.DefaultSeed) => new(seed);
+    /// <summary>Computes the land of a seed (some milliseconds).</summary>
+    public static DemoTerrain Create(uint seed = DemoWorldBuilder.DefaultSeed) => WorldPlan.Create(seed).Terrain;
 
     /// <summary>True for a block that the world has.</summary>
     public static bool HasBlock(int x, int y)
@@ -124,6 +125,22 @@ public sealed class DemoTerrain
     {
         var (column, row) = OriginOf((int)(cellId >> 24), (int)((cellId >> 16) & 0xFF));
         return GroundAt((column * (double)CellSide) + x, (row * (double)CellSide) + y);
+    }
+
+    /// <summary>Takes scenery away where it could be thrown onto a place. For the planning of a world only.</summary>
+    internal void ClearSceneryAround(NamedPlace place)
+    {
+        // Scenery strays from its vertex by up to 22 m on both axes, and trees and places have a width.
+        const double reach = 34.0;
+        var (column, row) = OriginOf((int)(place.CellId >> 24), (int)((place.CellId >> 16) & 0xFF));
+        if (!HasBlock((int)(place.CellId >> 24), (int)((place.CellId >> 16) & 0xFF)))
+            return;
+        double x = (column * CellSide) + place.Origin.X, y = (row * CellSide) + place.Origin.Y;
+        for (int i = (int)Math.Ceiling((x - reach) / CellSide); i * CellSide <= x + reach; i++)
+        {
+            for (int j = (int)Math.Ceiling((y - reach) / CellSide); j * CellSide <= y + reach; j++)
+                words[Index(i, j)] &= 0x07FF;
+        }
     }
 
     // Spec 05, 4.5: by the four corners of the cell, and in a mixed cell by the corner nearest to the point.

@@ -30,6 +30,9 @@ internal sealed class Landform(uint seed)
     /// <summary>Rows between which the cliff runs straight north, and the column of its brink there.</summary>
     public const int CliffSouthRow = 9, CliffNorthRow = 15, CliffColumn = 44;
 
+    /// <summary>A clearing in the northern woods.</summary>
+    public const int ForestColumn = 23, ForestRow = 51;
+
     private const double SummitHeight = 400.0;
     private const double CliffRise = 36.0;
     private const double RiverHalfWidth = 0.72;

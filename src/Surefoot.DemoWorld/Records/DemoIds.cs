@@ -6,12 +6,24 @@ public static class DemoIds
     /// <summary>Setup of a human: two spheres, step up 0.6 m, step down 1.5 m.</summary>
     public const uint HumanSetup = 0x02000001;
 
+    /// <summary>Setup of a small creature: two spheres of radius 0.3 m.</summary>
+    public const uint SmallCreatureSetup = 0x02000100;
+
+    /// <summary>Setup of a large creature: one cylinder of radius 0.8 m.</summary>
+    public const uint LargeCreatureSetup = 0x02000101;
+
+    /// <summary>Setup of a door that fills a house's doorway: 1.2 m by 2.2 m, with a physics tree.</summary>
+    public const uint DoorSetup = 0x02000110;
+
     /// <summary>Motion table of a human.</summary>
     public const uint HumanMotionTable = 0x09000001;
 
-    /// <summary>Scene types, by their position in the region: nothing, a wood, rocks, shrubs.</summary>
+    /// <summary>Motion table of the creatures.</summary>
+    public const uint CreatureMotionTable = 0x09000002;
+
     internal const uint WoodScene = 0x12000001, RockScene = 0x12000002, ShrubScene = 0x12000003;
 
-    /// <summary>Solid-colour surfaces.</summary>
-    internal const uint Skin = 0x08000001, Hair = 0x08000002, Shirt = 0x08000003, Trousers = 0x08000004, Boots = 0x08000005;
+    internal const uint TreeSetup = 0x02000200, PineSetup = 0x02000201, ShrubSetup = 0x02000202;
+
+    internal const uint HouseEnvironment = 0x0D000001, DungeonEnvironment = 0x0D000002;
 }

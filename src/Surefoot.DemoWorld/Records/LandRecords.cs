@@ -5,13 +5,11 @@ using Surefoot.DemoWorld.Land;
 
 namespace Surefoot.DemoWorld.Records;
 
-/// <summary>The land block records of a terrain.</summary>
+/// <summary>Land block records.</summary>
 internal static class LandRecords
 {
-    /// <summary>One record a block, land and sea.</summary>
-    public static IEnumerable<DatRecord> All(DemoTerrain terrain) => DemoTerrain.Blocks.Select(block => Block(terrain, block.X, block.Y));
-
-    private static LandBlock Block(DemoTerrain terrain, int x, int y)
+    /// <summary>The record of a block.</summary>
+    public static LandBlock Block(DemoTerrain terrain, int x, int y, bool hasInfo)
     {
         var (column, row) = DemoTerrain.OriginOf(x, y);
         var words = ImmutableArray.CreateBuilder<ushort>(LandBlock.VertexCount);
@@ -25,6 +23,15 @@ internal static class LandRecords
             }
         }
 
-        return new() { Id = DatIds.LandBlock(x, y), Terrain = words.MoveToImmutable(), Heights = heights.MoveToImmutable() };
+        return new() { Id = DatIds.LandBlock(x, y), InfoFlag = hasInfo ? 1u : 0u, Terrain = words.MoveToImmutable(), Heights = heights.MoveToImmutable() };
     }
+
+    /// <summary>A block of open sea, around a dungeon.</summary>
+    public static LandBlock Sea(uint id) => new()
+    {
+        Id = id,
+        InfoFlag = 1,
+        Terrain = [.. Enumerable.Repeat(LandBlock.TerrainWord(0, (int)TerrainKind.WaterDeepSea, 0), LandBlock.VertexCount)],
+        Heights = [.. new byte[LandBlock.VertexCount]],
+    };
 }

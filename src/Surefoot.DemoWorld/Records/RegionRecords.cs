@@ -4,14 +4,11 @@ using Surefoot.DemoWorld.Land;
 
 namespace Surefoot.DemoWorld.Records;
 
-/// <summary>The region with its height table and terrain types, and the scenes that it names.</summary>
+/// <summary>The region with its height table, terrain types and scene types.</summary>
 internal static class RegionRecords
 {
-    /// <summary>Region and scenes.</summary>
-    public static IEnumerable<DatRecord> All()
-    {
-        // Every terrain lists the same scene types, so that the scenery bits of a terrain word mean the same on all of them.
-        yield return new Region
+    /// <summary>The region. Every terrain lists the same scene types, so that scenery bits mean the same on all of them.</summary>
+    public static Region Region() => new()
         {
             Id = DatIds.Region,
             Name = "Surefoot Demo",
@@ -31,8 +28,4 @@ internal static class RegionRecords
                     new TerrainType(TerrainKinds.NameOf(kind), TerrainKinds.ColourOf((TerrainKind)kind), [0, 1, 2, 3])),
             ],
         };
-        yield return new Scene { Id = DemoIds.WoodScene };
-        yield return new Scene { Id = DemoIds.RockScene };
-        yield return new Scene { Id = DemoIds.ShrubScene };
-    }
 }

@@ -1,0 +1,128 @@
+using System.Collections.Immutable;
+using Surefoot.Dats.Records;
+using Surefoot.DemoWorld.Buildings;
+using Surefoot.DemoWorld.Land;
+using Surefoot.DemoWorld.Records;
+
+namespace Surefoot.DemoWorld.Placement;
+
+/// <summary>All that a world contains and where: the land, what stands on it, places and spawns.</summary>
+/// <remarks>Spots are in metres from the land's south-west corner, with absolute heights.</remarks>
+internal sealed class WorldPlan
+{
+    private readonly SortedDictionary<uint, BlockContent> blocks = [];
+    private readonly ImmutableArray<NamedPlace>.Builder places = ImmutableArray.CreateBuilder<NamedPlace>();
+    private readonly ImmutableArray<DemoSpawn>.Builder spawns = ImmutableArray.CreateBuilder<DemoSpawn>();
+
+    private WorldPlan(DemoTerrain terrain) => Terrain = terrain;
+
+    public DemoTerrain Terrain { get; }
+
+    public ImmutableArray<NamedPlace> Places => places.ToImmutable();
+
+    public ImmutableArray<DemoSpawn> Spawns => spawns.ToImmutable();
+
+    /// <summary>Static objects and buildings with the upper halves of the cell ids of their blocks.</summary>
+    public IEnumerable<(uint BlockId, StaticObject Thing)> Things
+        => blocks.SelectMany(block => block.Value.Objects
+            .Concat(block.Value.Buildings.Select(building => new StaticObject(building.ModelId, building.Frame)))
+            .Select(thing => (block.Key, thing)));
+
+    /// <summary>Plans the world of a seed.</summary>
+    public static WorldPlan Create(uint seed)
+    {
+        var terrain = new DemoTerrain(seed);
+        var plan = new WorldPlan(terrain);
+        LandPlaces.AddTo(plan);
+        Town.AddTo(plan);
+        ObstaclePark.AddTo(plan);
+        DungeonPlaces.AddTo(plan);
+        Inhabitants.AddTo(plan);
+        foreach (var place in plan.places)
+            terrain.ClearSceneryAround(place);
+        return plan;
+    }
+
+    /// <summary>A spot on the ground.</summary>
+    public Spot Ground(double x, double y, double heading = 0)
+        => new(x, y, Terrain.GroundAt(x, y).Position.Z, heading);
+
+    /// <summary>Adds a static object at a spot whose z is absolute.</summary>
+    public void AddObject(uint id, Spot spot)
+    {
+        var (block, local) = Localise(spot);
+        blocks[block] = ContentOf(block) with { Objects = ContentOf(block).Objects.Add(new(id, local.ToFrame())) };
+    }
+
+    /// <summary>Adds a building with its rooms and gives the id of the first room's cell.</summary>
+    public uint AddBuilding(uint shell, Interior interior, Spot spot)
+    {
+        var (block, local) = Localise(spot);
+        var content = ContentOf(block);
+        ushort firstCell = (ushort)(0x100 + content.Cells.Length);
+        blocks[block] = content with
+        {
+            Buildings = content.Buildings.Add(new(shell, local.ToFrame(), 1, interior.WaysIn(firstCell))),
+            Cells = content.Cells.AddRange(interior.Cells(block, firstCell, local)),
+        };
+        return block | firstCell;
+    }
+
+    /// <summary>Adds rooms without a building in a block that is not part of the land.</summary>
+    public void AddDungeon(uint block, Interior interior, Spot local)
+        => blocks[block] = ContentOf(block) with { Cells = [.. interior.Cells(block, 0x100, local)] };
+
+    /// <summary>Adds a place outdoors with feet on the ground.</summary>
+    public void AddPlace(string name, string title, double x, double y, double heading, string whatToTry)
+    {
+        var ground = Terrain.GroundAt(x, y);
+        places.Add(new(name, title, ground.CellId, ground.Position with { Z = ground.RestHeight }, (float)heading, whatToTry));
+    }
+
+    /// <summary>Adds a place outdoors on top of something, at an absolute height.</summary>
+    public void AddPlaceOn(string name, string title, Spot spot, string whatToTry)
+        => places.Add(new(name, title, Terrain.GroundAt(spot.X, spot.Y).CellId, Localise(spot).Local.ToVector(), (float)spot.Heading, whatToTry));
+
+    /// <summary>Adds a place in a room; the spot of a place in the dungeon is in its block's coordinates.</summary>
+    public void AddPlaceIn(uint cellId, string name, string title, Spot spot, string whatToTry)
+    {
+        var local = (cellId & 0xFFFF0000) == Dungeon.BlockId ? spot : Localise(spot).Local;
+        places.Add(new(name, title, cellId, local.ToVector(), (float)spot.Heading, whatToTry));
+    }
+
+    /// <summary>Adds something to spawn outdoors.</summary>
+    public void AddSpawn(string name, DemoSpawnKind kind, uint setup, Spot spot, double wanderRadius = 0)
+        => spawns.Add(new(name, kind, setup, Terrain.GroundAt(spot.X, spot.Y).CellId, Localise(spot).Local.ToVector(), (float)spot.Heading, (float)wanderRadius));
+
+    /// <summary>All records of the cell file.</summary>
+    public IEnumerable<DatRecord> CellRecords()
+    {
+        foreach (var (x, y) in DemoTerrain.Blocks)
+            yield return LandRecords.Block(Terrain, x, y, blocks.ContainsKey(((uint)x << 24) | ((uint)y << 16)));
+        yield return LandRecords.Sea(Dungeon.BlockId | 0xFFFF);
+        foreach (var (block, content) in blocks)
+        {
+            yield return new LandBlockInfo
+            {
+                Id = block | 0xFFFE,
+                CellCount = (uint)content.Cells.Length,
+                Objects = content.Objects,
+                Buildings = content.Buildings,
+            };
+            foreach (var cell in content.Cells)
+                yield return cell;
+        }
+    }
+
+    // From the land's coordinates to those of the block under the spot.
+    private static (uint Block, Spot Local) Localise(Spot spot)
+    {
+        int x = (int)Math.Floor(spot.X / DemoTerrain.BlockSide), y = (int)Math.Floor(spot.Y / DemoTerrain.BlockSide);
+        uint block = ((uint)(DemoTerrain.FirstBlockX + x) << 24) | ((uint)(DemoTerrain.FirstBlockY + y) << 16);
+        return (block, spot with { X = spot.X - (x * (double)DemoTerrain.BlockSide), Y = spot.Y - (y * (double)DemoTerrain.BlockSide) });
+    }
+
+    private BlockContent ContentOf(uint block) => blocks.TryGetValue(block, out var content) ? content : new([], [], []);
+
+    private sealed record BlockContent(ImmutableArray<StaticObject> Objects, ImmutableArray<Building> Buildings, ImmutableArray<EnvCell> Cells);
+}
