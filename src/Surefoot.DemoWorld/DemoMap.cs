@@ -18,22 +18,27 @@ public static class DemoMap
     private const float WalkableNormalZ = 0.66417414f;
 
     private static readonly View Whole = new("The demo world", 0, 0, 64, 64, 12);
-    private static readonly View Centre = new("Town and obstacle park", 13, 32, 42, 40, 44);
+    private static readonly View Town = new("The town", 13, 33, 24, 39, 70);
+    private static readonly View Park = new("The obstacle park", 33, 33, 41, 38, 110);
 
-    /// <summary>The whole land. Places in the crowded middle are dots without a name; <see cref="CentreToSvg"/> has them.</summary>
+    /// <summary>The whole land. Places in the town and the park are dots without a name; those have maps of their own.</summary>
     /// <param name="seed">The world's seed.</param>
     public static string ToSvg(uint seed = DemoWorldBuilder.DefaultSeed)
         => Draw(Whole, WorldPlan.Create(seed), place => !Crowded(place), detailed: false);
 
-    /// <summary>The town and the obstacle park, with the outlines of what stands there.</summary>
+    /// <summary>The town, with the outlines of what stands there.</summary>
     /// <param name="seed">The world's seed.</param>
-    public static string CentreToSvg(uint seed = DemoWorldBuilder.DefaultSeed)
-        => Draw(Centre, WorldPlan.Create(seed), _ => true, detailed: true);
+    public static string TownToSvg(uint seed = DemoWorldBuilder.DefaultSeed) => Draw(Town, WorldPlan.Create(seed), _ => true, detailed: true);
+
+    /// <summary>The obstacle park, with the outlines of what stands there.</summary>
+    /// <param name="seed">The world's seed.</param>
+    public static string ParkToSvg(uint seed = DemoWorldBuilder.DefaultSeed) => Draw(Park, WorldPlan.Create(seed), _ => true, detailed: true);
 
     private static bool Crowded(NamedPlace place)
     {
         var (x, y) = PositionOf(place.CellId, place.Origin);
-        return Centre.Contains(x / 24, y / 24) && place.Name is not ("meadow" or "town" or "slope-yard") && !IsYardSlope(place);
+        bool detailed = Town.Contains(x / 24, y / 24) || Park.Contains(x / 24, y / 24);
+        return detailed && place.Name is not ("town" or "steps-20");
     }
 
     private static string Draw(View view, WorldPlan plan, Func<NamedPlace, bool> named, bool detailed)

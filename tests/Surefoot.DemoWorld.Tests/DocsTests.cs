@@ -14,7 +14,8 @@ public sealed class DocsTests
     public void The_maps_in_the_docs_show_the_world_as_it_is()
     {
         AssertCurrent(Path.Combine(Docs, "images", "demo-world.svg"), DemoMap.ToSvg());
-        AssertCurrent(Path.Combine(Docs, "images", "demo-centre.svg"), DemoMap.CentreToSvg());
+        AssertCurrent(Path.Combine(Docs, "images", "demo-town.svg"), DemoMap.TownToSvg());
+        AssertCurrent(Path.Combine(Docs, "images", "demo-park.svg"), DemoMap.ParkToSvg());
     }
 
     [Fact, Behaviour("demo-world.docs.places-are-current", "issue 3, item 9")]
