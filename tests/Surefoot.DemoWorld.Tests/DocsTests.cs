@@ -10,7 +10,7 @@ public sealed class DocsTests
 
     private static readonly string Docs = Path.Combine(Root(), "docs");
 
-    [Fact, Behaviour("demo-world.docs.map-is-current", "issue 3, item 9")]
+    [Fact, Behaviour("demo-world.docs.map-is-current", "design.md, Two commands")]
     public void The_maps_in_the_docs_show_the_world_as_it_is()
     {
         AssertCurrent(Path.Combine(Docs, "images", "demo-world.svg"), DemoMap.ToSvg());
@@ -18,7 +18,7 @@ public sealed class DocsTests
         AssertCurrent(Path.Combine(Docs, "images", "demo-park.svg"), DemoMap.ParkToSvg());
     }
 
-    [Fact, Behaviour("demo-world.docs.places-are-current", "issue 3, item 9")]
+    [Fact, Behaviour("demo-world.docs.places-are-current", "design.md, Two commands")]
     public void The_docs_list_every_place()
     {
         string path = Path.Combine(Docs, "demo-world.md");

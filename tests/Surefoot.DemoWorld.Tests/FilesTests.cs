@@ -86,7 +86,7 @@ public sealed class FilesTests(DemoFolder world) : IClassFixture<DemoFolder>
         Assert.All(named, id => Assert.True(dats.Portal.TryGetEntry(id, out _), $"0x{id:X8} is missing"));
     }
 
-    [Fact, Behaviour("demo-world.files.bad-directory-is-refused", "design, decision 7")]
+    [Fact, Behaviour("demo-world.files.bad-directory-is-refused", "design.md, decision 7")]
     public void An_empty_directory_name_is_refused() => Assert.Throws<ArgumentException>(() => DemoWorldBuilder.Write(" "));
 
     private static string HashOf(string path) => Convert.ToHexString(SHA256.HashData(File.ReadAllBytes(path)));

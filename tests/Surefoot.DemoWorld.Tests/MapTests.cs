@@ -4,7 +4,7 @@ namespace Surefoot.DemoWorld.Tests;
 
 public sealed class MapTests
 {
-    [Fact, Behaviour("demo-world.map.names-every-place", "issue 3, item 3")]
+    [Fact, Behaviour("demo-world.map.names-every-place", "design.md, Two commands")]
     public void The_maps_are_well_formed_and_name_every_place_of_the_land()
     {
         string[] labels = [.. new[] { DemoMap.ToSvg(), DemoMap.TownToSvg(), DemoMap.ParkToSvg() }.SelectMany(Labels)];

@@ -101,7 +101,7 @@ public sealed class ShapesTests(DemoFolder world) : IClassFixture<DemoFolder>
         }
     }
 
-    [Fact, Behaviour("demo-world.places.leave-room-for-a-body", "issue 4, item 5")]
+    [Fact, Behaviour("demo-world.places.leave-room-for-a-body", "design.md, Two commands")]
     public void No_place_is_inside_something_solid()
     {
         foreach (var place in DemoPlaces.All)
@@ -120,7 +120,7 @@ public sealed class ShapesTests(DemoFolder world) : IClassFixture<DemoFolder>
         }
     }
 
-    [Fact, Behaviour("demo-world.places.stand-on-floors", "issue 4, item 5")]
+    [Fact, Behaviour("demo-world.places.stand-on-floors", "design.md, Two commands")]
     public void Indoor_places_stand_on_a_floor_and_in_the_air_of_their_room()
     {
         int indoor = 0;
@@ -139,7 +139,7 @@ public sealed class ShapesTests(DemoFolder world) : IClassFixture<DemoFolder>
         Assert.Equal(8, indoor);
     }
 
-    [Fact, Behaviour("demo-world.spawns.are-there", "issue 4, item 5")]
+    [Fact, Behaviour("demo-world.spawns.are-there", "design.md, Two commands")]
     public void There_are_guards_wanderers_a_crowd_of_a_hundred_and_a_door()
     {
         var spawns = DemoSpawns.All;
