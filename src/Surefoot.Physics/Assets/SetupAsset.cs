@@ -20,6 +20,7 @@ public sealed class SetupAsset
     private readonly Sphere[] spheres = [];
     private readonly CylSphere[] cylinders = [];
     private readonly Dictionary<uint, Frame[]> placements = [];
+    private Frame[] defaultPlacement = [];
 
     /// <summary>Id of the record: 0x02…, or 0x01… for a setup made up for one mesh.</summary>
     public uint Id { get; init; }
@@ -80,7 +81,7 @@ public sealed class SetupAsset
     /// </summary>
     /// <param name="placement">0 by default, 0x65 for things that lie about.</param>
     public ReadOnlySpan<Frame> Placement(uint placement) =>
-        placements.TryGetValue(placement, out Frame[]? frames) || placements.TryGetValue(0, out frames) ? frames : default;
+        placement != 0 && placements.TryGetValue(placement, out Frame[]? frames) ? frames : defaultPlacement;
 
     /// <summary>The setup that a mesh on its own stands for.</summary>
     /// <remarks>Retail: CSetup::makeSimpleSetup.</remarks>
@@ -207,7 +208,7 @@ public sealed class SetupAsset
     /// <summary>Adds a way of putting the object down, while the asset is being built; the first of two with one number counts.</summary>
     internal SetupAsset With(uint placement, Frame[] frames)
     {
-        placements.TryAdd(placement, frames);
+        if (placements.TryAdd(placement, frames) && placement == 0) defaultPlacement = frames;
         return this;
     }
 }
