@@ -23,7 +23,7 @@ interface Player {
 
 const canvas = document.getElementById("view") as HTMLCanvasElement;
 const stage = new Stage(canvas);
-const terrain = new Terrain(stage.noise, sunDirection, horizonColor.clone().lerp(zenithColor, 0.35));
+const terrain = new Terrain(stage.noise, sunDirection, horizonColor, zenithColor);
 const origin = new THREE.Vector3();
 const others = new Map<number, Player>();
 let me: Player | null = null;
@@ -140,12 +140,14 @@ function drawMe(player: Player, last: OwnPose, time: number, now: number, dt: nu
   const block = blockOf(last.cell);
   if (far(block)) rebase(block);
   move(player, time, now, dt);
-  terrain.update(block);
+  if (terrain.update(block)) stage.grass.invalidate();
   if (!player.drawn) return;
   if (player.drawn.teleports !== drawnTeleports) {
     drawnTeleports = player.drawn.teleports;
     stage.view.cut();
+    stage.grass.invalidate();
   }
+  if (stage.grass.mesh.visible) stage.grass.update(player.drawn.position.x, player.drawn.position.y, origin, terrain, now % 3600);
   const feet = player.figure.group.position;
   stage.lights.follow(feet);
   stage.view.update(feet, player.drawn.yaw, dt, (x, y) => terrain.heightAt(x + origin.x, y + origin.y));
@@ -169,6 +171,7 @@ function far(block: number): boolean {
 function rebase(block: number): void {
   origin.set((block >> 8) * blockSide, (block & 0xff) * blockSide, 0);
   terrain.setOrigin(block >> 8, block & 0xff);
+  stage.grass.invalidate();
   stage.view.cut();
 }
 

@@ -3,6 +3,7 @@
 import * as THREE from "three";
 import { FollowCamera } from "./camera";
 import { makeNoiseTexture } from "./noise";
+import { Grass } from "./grass";
 import { Lights, Sky } from "./sky";
 
 const slowFrame = 1 / 40;
@@ -12,6 +13,7 @@ export class Stage {
   readonly noise = makeNoiseTexture();
   readonly sky = new Sky(this.noise);
   readonly lights = new Lights();
+  readonly grass = new Grass();
   readonly view: FollowCamera;
   private readonly renderer: THREE.WebGLRenderer;
   private ratio = Math.min(devicePixelRatio, 2);
@@ -25,7 +27,7 @@ export class Stage {
     this.renderer.toneMapping = THREE.NoToneMapping;
     this.view = new FollowCamera(canvas);
     this.scene.fog = this.sky.fog;
-    this.scene.add(this.sky.mesh, this.lights.group);
+    this.scene.add(this.sky.mesh, this.lights.group, this.grass.mesh);
     addEventListener("resize", () => this.resize());
     this.resize();
   }
@@ -40,7 +42,7 @@ export class Stage {
     this.adapt(dt);
   }
 
-  /** A machine that cannot draw 40 frames a second gives up frosted glass, then sharpness, then shadows: motion comes first. */
+  /** A machine that cannot draw 40 frames a second gives up frosted glass, then grass, sharpness and shadows: motion comes first. */
   private adapt(dt: number): void {
     if (dt > 0.5) return;
     this.average += (dt - this.average) * 0.05;
@@ -48,6 +50,8 @@ export class Stage {
     this.settled = 0;
     if (!document.body.classList.contains("plain")) {
       document.body.classList.add("plain");
+    } else if (this.grass.mesh.visible) {
+      this.grass.mesh.visible = false;
     } else if (this.ratio > 0.5) {
       this.ratio = Math.max(0.5, this.ratio * 0.7);
       this.resize();

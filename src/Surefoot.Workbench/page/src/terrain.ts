@@ -2,7 +2,7 @@
 
 import * as THREE from "three";
 import { blockSide, cellSide, decodeTerrain, heightInBlock, type TerrainBlock } from "./world";
-import { isRoad, isWater, terrainColors, terrainType } from "./terrainTypes";
+import { isGrassy, isRoad, isWater, terrainColors, terrainType } from "./terrainTypes";
 import { makeTerrainMaterial, type TerrainUniforms } from "./terrainMaterial";
 
 const drawRadius = 5;
@@ -25,8 +25,16 @@ export class Terrain {
   private originX = 0;
   private originY = 0;
 
-  constructor(noise: THREE.Texture, sun: THREE.Vector3, skyColor: THREE.Color) {
-    this.uniforms = { time: { value: 0 }, triangles: { value: 0 }, sun: { value: sun }, skyColor: { value: skyColor }, noise: { value: noise } };
+  constructor(noise: THREE.Texture, sun: THREE.Vector3, horizon: THREE.Color, zenith: THREE.Color) {
+    this.uniforms = {
+      time: { value: 0 },
+      triangles: { value: 0 },
+      sun: { value: sun },
+      skyColor: { value: horizon.clone().lerp(zenith, 0.35) },
+      horizon: { value: horizon },
+      zenith: { value: zenith },
+      noise: { value: noise },
+    };
     this.material = makeTerrainMaterial(this.uniforms);
   }
 
@@ -42,14 +50,16 @@ export class Terrain {
     for (const [block, mesh] of this.meshes) this.place(mesh, block);
   }
 
-  /** Fetches, builds and drops blocks for a player in this block; a few are built a call, so that no frame waits long. */
-  update(block: number): void {
+  /** Fetches, builds and drops blocks for a player in this block; a few are built a call, so that no frame waits long. True when something was built. */
+  update(block: number): boolean {
     if (block !== this.center) this.moveTo(block);
-    if (this.missing.length === 0) return;
+    if (this.missing.length === 0) return false;
     if (!this.fetching && performance.now() >= this.retryAt && !around(block, drawRadius + 1).every((id) => this.blocks.has(id))) void this.fetch(block);
     this.missing = this.missing.filter((id) => this.blocks.get(id) !== "none");
     const end = performance.now() + buildMilliseconds;
+    const before = this.missing.length;
     while (this.buildNext() && performance.now() < end);
+    return this.missing.length < before;
   }
 
   /** Ground height at global metres; null where no terrain has come. */
@@ -58,6 +68,28 @@ export class Terrain {
     const by = Math.floor(y / blockSide);
     const terrain = this.blocks.get((bx << 8) | by);
     return terrain && terrain !== "none" ? heightInBlock(terrain, x - bx * blockSide, y - by * blockSide) : null;
+  }
+
+  /** Where grass grows: on grassy ground that is no road and not steep. */
+  grassAt(x: number, y: number): { height: number; type: number } | null {
+    const bx = Math.floor(x / blockSide);
+    const by = Math.floor(y / blockSide);
+    const terrain = this.blocks.get((bx << 8) | by);
+    if (!terrain || terrain === "none") return null;
+    const u = (x - bx * blockSide) / cellSide;
+    const v = (y - by * blockSide) / cellSide;
+    const corner = 9 * Math.floor(u) + Math.floor(v);
+    const type = terrainType(terrain.words[9 * Math.round(u) + Math.round(v)]);
+    if (!isGrassy(type)) return null;
+    let low = Infinity;
+    let high = -Infinity;
+    for (const c of [corner, corner + 1, corner + 9, corner + 10]) {
+      if (isRoad(terrain.words[c]) || isWater(terrain.words[c])) return null;
+      low = Math.min(low, terrain.heights[c]);
+      high = Math.max(high, terrain.heights[c]);
+    }
+    if (high - low > cellSide * 0.75) return null;
+    return { height: heightInBlock(terrain, x - bx * blockSide, y - by * blockSide), type };
   }
 
   private moveTo(block: number): void {

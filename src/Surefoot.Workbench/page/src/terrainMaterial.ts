@@ -8,6 +8,8 @@ export interface TerrainUniforms {
   triangles: { value: number };
   sun: { value: THREE.Vector3 };
   skyColor: { value: THREE.Color };
+  horizon: { value: THREE.Color };
+  zenith: { value: THREE.Color };
   noise: { value: THREE.Texture };
 }
 
@@ -60,6 +62,8 @@ const fragmentHead = /* glsl */ `
   uniform vec3 uSun;
   uniform vec3 uSkyColor;
   uniform sampler2D uNoise;
+  uniform vec3 uHorizon;
+  uniform vec3 uZenith;
   ${varyings}
   float wetness = 0.0;
   float shoreFoam = 0.0;
@@ -102,6 +106,8 @@ const fragmentHead = /* glsl */ `
     if (near > 0.5) color *= 1.0 + 0.5 * (near - 0.5) * (texture2D(uNoise, vGround.xy / 2.6).w - 0.5);
 
     float steep = smoothstep(0.80, 0.64, vSmooth.z + 0.08 * (fine.z - 0.5));
+    // Ground too steep to stand on is bare, triangle by triangle, as physics sees it.
+    steep = max(steep, smoothstep(0.69, 0.655, vFace.z));
     if (steep > 0.0) {
       float layers = texture2D(uNoise, vec2((vGround.x + vGround.y) / 60.0, vGround.z / 18.0)).w;
       color = mix(color, vec3(0.255, 0.235, 0.215) * (0.55 + 0.75 * layers), 0.85 * steep * (1.0 - wetness));
@@ -157,6 +163,14 @@ const fragmentLight = /* glsl */ `
   }
 `;
 
+// Far land fades into the sky behind it, which is bluer the higher one looks.
+const fragmentFog = /* glsl */ `
+  float far = 1.0 - exp(-fogDensity * fogDensity * vFogDepth * vFogDepth);
+  float rise = max(normalize(vGround - cameraPosition).z, 0.0);
+  vec3 behind = mix(uHorizon, uZenith, pow(smoothstep(0.0, 0.75, rise), 0.62));
+  gl_FragColor.rgb = mix(gl_FragColor.rgb, linearToOutputTexel(vec4(behind, 1.0)).rgb, far);
+`;
+
 export function makeTerrainMaterial(uniforms: TerrainUniforms): THREE.MeshLambertMaterial {
   const material = new THREE.MeshLambertMaterial();
   material.onBeforeCompile = (shader) => {
@@ -164,13 +178,16 @@ export function makeTerrainMaterial(uniforms: TerrainUniforms): THREE.MeshLamber
     shader.uniforms.uTriangles = uniforms.triangles;
     shader.uniforms.uSun = uniforms.sun;
     shader.uniforms.uSkyColor = uniforms.skyColor;
+    shader.uniforms.uHorizon = uniforms.horizon;
+    shader.uniforms.uZenith = uniforms.zenith;
     shader.uniforms.uNoise = uniforms.noise;
     shader.vertexShader = vertexHead + shader.vertexShader.replace("#include <begin_vertex>", `#include <begin_vertex>\n${vertexBody}`);
     shader.fragmentShader = shader.fragmentShader
       .replace("void main() {", `${fragmentHead}\nvoid main() {`)
       .replace("#include <color_fragment>", `#include <color_fragment>\n${fragmentColor}`)
       .replace("#include <normal_fragment_begin>", fragmentNormal)
-      .replace("#include <opaque_fragment>", fragmentLight);
+      .replace("#include <opaque_fragment>", fragmentLight)
+      .replace("#include <fog_fragment>", fragmentFog);
   };
   return material;
 }

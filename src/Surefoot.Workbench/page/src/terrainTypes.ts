@@ -47,3 +47,9 @@ export function isWater(word: number): boolean {
 export function isRoad(word: number): boolean {
   return (word & 3) !== 0;
 }
+
+const grassy = new Set([1, 3, 4, 9, 21, 28, 29]);
+
+export function isGrassy(type: number): boolean {
+  return grassy.has(type);
+}
