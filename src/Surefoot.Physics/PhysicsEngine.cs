@@ -130,13 +130,7 @@ public sealed class PhysicsEngine
         Position begin = from;
         World.AdjustPosition(ref begin, setup.Spheres.Length > 0 ? setup.Spheres[0].Center : Vector3.Zero, out ObjCell? cell);
         probe.SeatAt(begin, cell);
-        if (cell is null || !Transitions.TryRent(out Transition? transition)) return default;
-        bool found = probe.Sweep(transition, to);
-        ResolveResult result = new(
-            found, transition.Path.CurrPos, transition.Collision.ContactPlaneValid, transition.Collision.ContactPlane,
-            transition.Collision.CollisionNormalValid ? transition.Collision.CollisionNormal : null, transition.Collision.CollidedWithEnvironment);
-        Transitions.Return();
-        return result;
+        return cell is null ? default : probe.Probe(to);
     }
 
     /// <summary>Bodies whose cell came with a landblock enter the world again.</summary>
@@ -185,4 +179,13 @@ public sealed class PhysicsEngine
 /// <param name="CollisionNormal">Unit normal of the last collision on the way, or null.</param>
 /// <param name="CollidedWithEnvironment">It hit terrain, a building, a room or a static object without standing.</param>
 public readonly record struct ResolveResult(
-    bool Found, Position Position, bool HasContact, Plane ContactPlane, Vector3? CollisionNormal, bool CollidedWithEnvironment);
+    bool Found, Position Position, bool HasContact, Plane ContactPlane, Vector3? CollisionNormal, bool CollidedWithEnvironment)
+{
+    internal static ResolveResult Of(bool found, Transition transition)
+    {
+        CollisionInfo met = transition.Collision;
+        return new ResolveResult(
+            found, transition.Path.CurrPos, met.ContactPlaneValid, met.ContactPlane,
+            met.CollisionNormalValid ? met.CollisionNormal : null, met.CollidedWithEnvironment);
+    }
+}

@@ -21,6 +21,21 @@ public sealed partial class PhysicsBody
         return transition.FindValidPosition();
     }
 
+    /// <summary>Where the body would end if it went from where it is to <paramref name="to"/> in one sweep; the body itself stays as it is.</summary>
+    /// <exception cref="ArgumentException">The position is not finite.</exception>
+    public ResolveResult Probe(in Position to)
+    {
+        ThrowIfNotFinite(to.Frame.Origin, nameof(to));
+        if (!engine.Transitions.TryRent(out Transition? transition)) return default;
+        Vector3 before = velocity;
+        TransientState bits = Transient;
+        double time = updateTime;
+        bool found = Sweep(transition, to);
+        (velocity, Transient, updateTime) = (before, bits, time);
+        engine.Transitions.Return();
+        return ResolveResult.Of(found, transition);
+    }
+
     private void SeedMover(Transition transition, MoverFlags flags)
     {
         transition.Object.Init(this, flags);

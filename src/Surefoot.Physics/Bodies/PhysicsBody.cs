@@ -233,6 +233,7 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody
         contactPlane = seat.ContactPlane;
         ContactPlaneCellId = seat.ContactPlaneCellId;
         SlidingNormal = seat.SlidingNormal;
+        collidingWithEnvironment = seat.TouchesEnvironment;
         CalcAcceleration();
     }
 
@@ -275,5 +276,7 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody
 /// <param name="ContactPlane">The plane touched.</param>
 /// <param name="ContactPlaneCellId">Cell whose block frame the plane is in.</param>
 /// <param name="SlidingNormal">Normal of the wall slid along.</param>
+/// <param name="TouchesEnvironment">A collision with the environment was reported and has not ended.</param>
 public readonly record struct BodySeat(
-    Position Position, Vector3 Velocity, TransientState Transient, Plane ContactPlane, uint ContactPlaneCellId, Vector3 SlidingNormal);
+    Position Position, Vector3 Velocity, TransientState Transient, Plane ContactPlane, uint ContactPlaneCellId, Vector3 SlidingNormal,
+    bool TouchesEnvironment = false);

@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.Text.Json;
 using Spectre.Console;
 using Surefoot.Tool.Conformance;
+using Surefoot.Tool.Output;
 using Surefoot.Tool.Walking;
 
 namespace Surefoot.Tool.Commands;
@@ -28,10 +29,17 @@ internal static class ConformCommand
         command.SetAction(parsed =>
         {
             List<WalkCase> cases = [];
-            foreach (FileInfo file in parsed.GetRequiredValue(vectors)) cases.AddRange(WalkCase.ReadAll(file.FullName));
+            List<string> oracles = [];
+            foreach (FileInfo file in parsed.GetRequiredValue(vectors))
+            {
+                if (OracleReplay.Reads(file.FullName)) oracles.Add(file.FullName);
+                else cases.AddRange(WalkCase.ReadAll(file.FullName));
+            }
+
             if (parsed.GetValue(scene) is { } prefix) cases.RemoveAll(c => !c.Scene.StartsWith(prefix, StringComparison.OrdinalIgnoreCase));
             using WalkScene world = WalkScene.OpenWhole(parsed.GetRequiredValue(dats)!);
             ConformanceReport report = Replay(world, cases, parsed.GetValue(json));
+            foreach (string path in oracles) ReplayOracle(world, path, report);
             if (parsed.GetValue(json)) Console.Out.WriteLine(JsonSerializer.Serialize(report.ToJson(), Json));
             else Print(report, parsed.GetRequiredValue(worst));
             return ExitCode.Done;
@@ -43,22 +51,22 @@ internal static class ConformCommand
     {
         WalkReplay replay = new(world.World, world.Cache.GetSetup);
         ConformanceReport report = new();
-        if (quiet || !AnsiConsole.Profile.Capabilities.Interactive)
+        ProgressBar.Run("walks", quiet, progress =>
         {
-            foreach (WalkCase walk in cases) report.Add(walk, replay);
-            return report;
-        }
-
-        AnsiConsole.Progress().Start(progress =>
-        {
-            ProgressTask task = progress.AddTask("walks", maxValue: cases.Count);
-            foreach (WalkCase walk in cases)
+            for (int i = 0; i < cases.Count; i++)
             {
-                report.Add(walk, replay);
-                task.Increment(1);
+                report.Add(cases[i], replay);
+                progress(i + 1, cases.Count);
             }
         });
         return report;
+    }
+
+    private static void ReplayOracle(WalkScene world, string path, ConformanceReport report)
+    {
+        HashSet<string> departures = OracleReplay.DeparturesBeside(path);
+        foreach (OracleReplay.Result result in new OracleReplay(world.World, world.Cache.GetSetup).Run(path))
+            report.Add(result, departures.Contains(result.Step < 0 ? result.Id : $"{result.Id}/{result.Step}"));
     }
 
     private static void Print(ConformanceReport report, int worst)
@@ -69,7 +77,9 @@ internal static class ConformCommand
         foreach ((string name, SceneScore reseated, SceneScore free) in report.Scenes)
             table.AddRow(name.EscapeMarkup(), $"{reseated.Cases}", $"{reseated.Steps}", Share(reseated.StepsEqual, reseated.Steps), Share(free.CasesEqual, free.Cases));
         table.AddRow("all", $"{report.Reseated.Cases}", $"{report.Reseated.Steps}", Share(report.Reseated.StepsEqual, report.Reseated.Steps), Share(report.FreeRunning.CasesEqual, report.FreeRunning.Cases));
-        AnsiConsole.Write(table);
+        if (report.Reseated.Cases > 0) AnsiConsole.Write(table);
+        foreach ((string family, OracleScore score) in report.Oracle)
+            Console.Out.WriteLine($"{family}: {score.ResultsEqual} of {score.Results} results equal ({Share(score.ResultsEqual, score.Results)}); of {score.Listed} listed as departures {score.ListedDiffering} differ");
         foreach (Divergence d in report.Divergences.Take(worst)) Console.Out.WriteLine($"{d.CaseId} {d.Scene} step {d.Step}: {d.Difference}: {d.Detail}");
     }
 

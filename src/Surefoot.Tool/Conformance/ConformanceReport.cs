@@ -50,10 +50,22 @@ internal sealed class ConformanceReport
         if ((reseated.First ?? free.First) is { } divergence) Divergences.Add(divergence);
     }
 
+    /// <summary>Results of a peer as it is, by family; those listed as changed by known departures are counted apart.</summary>
+    internal SortedDictionary<string, OracleScore> Oracle { get; } = new(StringComparer.Ordinal);
+
+    internal void Add(OracleReplay.Result result, bool listed)
+    {
+        if (!Oracle.TryGetValue(result.Family, out OracleScore? score)) Oracle[result.Family] = score = new OracleScore();
+        score.Add(listed, result.Difference is null);
+        if (!listed && result.Difference is { } difference)
+            Divergences.Add(new Divergence(result.Id, $"{result.Family} {result.Tag}", result.Step, StepDifference.Result, difference));
+    }
+
     internal object ToJson() => new
     {
         FreeRunning = Score(FreeRunning, s => s.Free),
         Reseated = Score(Reseated, s => s.Reseated),
+        Oracle,
     };
 
     private object Score(SceneScore all, Func<(SceneScore Reseated, SceneScore Free), SceneScore> pick) => new
@@ -61,4 +73,34 @@ internal sealed class ConformanceReport
         all.Cases, all.CasesEqual, all.Steps, all.StepsEqual,
         Scenes = scenes.ToDictionary(s => s.Key, s => pick(s.Value)),
     };
+}
+
+/// <summary>How many results of a family came out the same.</summary>
+internal sealed class OracleScore
+{
+    /// <summary>Results that no known departure changes.</summary>
+    public int Results { get; private set; }
+
+    /// <summary>Of those, equal.</summary>
+    public int ResultsEqual { get; private set; }
+
+    /// <summary>Results that known departures of the peer change.</summary>
+    public int Listed { get; private set; }
+
+    /// <summary>Of those, differing as foreseen.</summary>
+    public int ListedDiffering { get; private set; }
+
+    internal void Add(bool listed, bool equal)
+    {
+        if (listed)
+        {
+            Listed++;
+            if (!equal) ListedDiffering++;
+        }
+        else
+        {
+            Results++;
+            if (equal) ResultsEqual++;
+        }
+    }
 }

@@ -24,6 +24,9 @@ internal enum StepDifference
 
     /// <summary>Other contact, walkable, sliding, water or stationary bits.</summary>
     Flags,
+
+    /// <summary>Another result of a case recorded from a peer as it is.</summary>
+    Result,
 }
 
 /// <summary>A divergence, for people.</summary>
