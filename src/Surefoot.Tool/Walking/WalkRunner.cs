@@ -37,7 +37,7 @@ internal sealed class WalkRunner : IMovementSink
     private void RunLegs(WalkScene scene, ScenePlace place, CharacterStats stats, IReadOnlyList<WalkLeg> legs, double latency)
     {
         scene.Follow(place.Position);
-        PhysicsEngine engine = scene.CreateEngine();
+        PhysicsEngine engine = new(scene.World);
         engine.Tick(1.0);
         LocalPlayer player = LocalPlayer.Spawn(
             engine, WalkScene.PlayerId, scene.PlayerSetup, scene.PlayerMotions, place.Position, stats, new LocalPlayerOptions { Latency = latency, Observer = this })

@@ -2,7 +2,6 @@ using System.Globalization;
 using System.Numerics;
 using Surefoot.Dats;
 using Surefoot.DemoWorld;
-using Surefoot.Physics;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
@@ -56,15 +55,6 @@ internal sealed class WalkScene : IDisposable
         WalkScene scene = new(DatSet.Open(folder.FullName), isDemo: false);
         foreach (uint id in scene.dats.IdsOf(DatRecordType.LandBlock)) scene.World.LoadLandblock(id);
         return scene;
-    }
-
-    /// <summary>An engine that hears of every landblock that comes.</summary>
-    internal PhysicsEngine CreateEngine()
-    {
-        PhysicsEngine engine = new(World);
-        World.LandblockLoaded += engine.OnLandblockLoaded;
-        World.LandblockUnloading += engine.OnLandblockUnloading;
-        return engine;
     }
 
     /// <summary>Keeps the blocks around a place loaded.</summary>

@@ -46,8 +46,6 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
         cache = new PhysicsDataCache(dats);
         land = new PhysicsWorld(cache);
         engine = new PhysicsEngine(land);
-        land.LandblockLoaded += engine.OnLandblockLoaded;
-        land.LandblockUnloading += engine.OnLandblockUnloading;
         human = cache.GetSetup(HumanSetup);
         humanMotions = MotionTableLoader.Load(dats, HumanMotionTable);
         Places = [.. places.Where(place => dats.TryRead((place.CellId & 0xFFFF0000) | 0xFFFF, out _)).Select(OnGround)];
