@@ -132,7 +132,7 @@ public sealed class ShapesTests(DemoFolder world) : IClassFixture<DemoFolder>
             Vector3[][] faces = [.. room.Polygons.Select(polygon => Solids.Points(room.Vertices, polygon))];
             foreach (var point in BodyPoints(feet))
                 Assert.True(Solids.Contains(faces, point), $"{place.Name}: {point} is not in the air");
-            Assert.False(Solids.Contains(faces, feet - new Vector3(0, 0, 0.01f)), $"{place.Name} has no floor");
+            Assert.False(Solids.Contains(faces, feet - new Vector3(0, 0, 0.02f)), $"{place.Name} has no floor");
             indoor++;
         }
 

@@ -47,13 +47,14 @@ internal static class House
             .Solid(new(-4, 0, -0.2, 4, 6, 0), Surfaces.Boards)
             .Air(new(-0.4, 0.4, -0.2, 3, 1.6, 0))
             .Solid(new(-4, 0, 3, 4, 6, 3.2), Surfaces.Timber)
-            .Air(new(-2.3, 4.6, 3, 0.7, 5.8, 3.2));
+            .Air(new(-2.6, 4.6, 3, 2, 5.8, 3.2));
         var upper = new RoomPlan(new(-4, -6, 3.2, 4, 6, 6.2), Surfaces.Boards, Surfaces.Plaster, Surfaces.Timber);
         var cellar = new RoomPlan(new(-4, 0, -3.2, 4, 6, -0.2), Surfaces.Flagstones, Surfaces.Stone, Surfaces.Timber);
         for (int step = 1; step <= Steps; step++)
         {
-            // Up towards +x from -3.5; down towards -x from 3. The sixteenth step is the floor that one comes out on.
-            back.Solid(new(-3.5 + (Run * (step - 1)), 4.6, 0, -3.5 + (Run * step), 5.8, Rise * step), Surfaces.Timber);
+            // The holes are longer than the stairs: a step up lifts the head by 0.6 m for a moment.
+            // Up towards +x from -2.2; down towards -x from 3. The sixteenth step is the floor that one comes out on.
+            back.Solid(new(-2.2 + (Run * (step - 1)), 4.6, 0, -2.2 + (Run * step), 5.8, Rise * step), Surfaces.Timber);
             cellar.Solid(new(3 - (Run * step), 0.4, -3.2, 3 - (Run * (step - 1)), 1.6, -Rise * step), Surfaces.Stone);
         }
 
@@ -63,7 +64,7 @@ internal static class House
         house.Add(cellar, seesOutside: true);
         house.OpenOutside(Hall, new(-0.6, -6, 0, 0.6, -6, 2.2));
         house.Join(Hall, BackRoom, new(-0.6, 0, 0, 0.6, 0, 2.2));
-        house.Join(BackRoom, UpperFloor, new(-2.3, 4.6, 3.2, 0.7, 5.8, 3.2));
+        house.Join(BackRoom, UpperFloor, new(-2.6, 4.6, 3.2, 2, 5.8, 3.2));
         house.Join(BackRoom, Cellar, new(-0.4, 0.4, -0.2, 3 - Run, 1.6, -0.2));
         return house;
     }

@@ -6,13 +6,22 @@ using Surefoot.DemoWorld.Shapes;
 namespace Surefoot.DemoWorld.Buildings;
 
 /// <summary>Rooms that belong together, and the records made of them: one environment, and cells wherever it is placed.</summary>
-/// <param name="environmentId">Id of the environment that holds the rooms' shapes.</param>
-internal sealed class Interior(uint environmentId)
+internal sealed class Interior
 {
+    private readonly uint environmentId;
     private readonly List<RoomPlan> rooms = [];
     private readonly List<bool> seeOutside = [];
 
-    public int RoomCount => rooms.Count;
+    // Rooms may change until records are asked for.
+    private readonly Lazy<ImmutableArray<ImmutableArray<Face>>> faces;
+
+    /// <summary>Starts without rooms.</summary>
+    /// <param name="environmentId">Id of the environment that holds the rooms' shapes.</param>
+    public Interior(uint environmentId)
+    {
+        this.environmentId = environmentId;
+        faces = new(() => [.. rooms.Select(room => room.Faces())]);
+    }
 
     /// <summary>Adds a room and gives its index.</summary>
     /// <param name="room">The room; finish it before records are made.</param>
@@ -39,7 +48,7 @@ internal sealed class Interior(uint environmentId)
     public CellEnvironment Environment() => new()
     {
         Id = environmentId,
-        Cells = [.. rooms.Select((room, index) => Meshes.Room(room.Space, room.Faces()) with { Key = (uint)index })],
+        Cells = [.. rooms.Select((room, index) => Meshes.Room(room.Space, faces.Value[index]) with { Key = (uint)index })],
     };
 
     /// <summary>The cells of one place.</summary>
@@ -50,15 +59,14 @@ internal sealed class Interior(uint environmentId)
     {
         for (int room = 0; room < rooms.Count; room++)
         {
-            var faces = rooms[room].Faces();
-            int walls = faces.Count(face => !face.IsPortal);
+            int walls = faces.Value[room].Count(face => !face.IsPortal);
             uint id = blockId | (uint)(firstCell + room);
             yield return new()
             {
                 Id = id,
                 CellId = id,
                 Flags = seeOutside[room] ? EnvCellFlags.SeenOutside : EnvCellFlags.None,
-                SurfaceIds = Meshes.SurfacesOf(faces),
+                SurfaceIds = Meshes.SurfacesOf(faces.Value[room]),
                 EnvironmentId = environmentId,
                 Structure = (ushort)room,
                 Position = frame.ToFrame(),

@@ -64,7 +64,7 @@ internal static class LandPlaces
         var terrain = plan.Terrain;
         double summitX = (Landform.SummitColumn + 0.5) * Cell, summitY = (Landform.SummitRow + 0.5) * Cell;
         plan.AddPlace("mountain-top", "The summit", summitX, summitY, 225,
-            "Look around, then walk off: slopes beyond the limit make you slide and fall.");
+            "Look around, then jump off: on slopes beyond the limit you slide.");
 
         // From outside towards the summit along the south-west diagonal: the last walkable stretch before the first steep one.
         const double diagonal = 0.70710678;
@@ -80,7 +80,7 @@ internal static class LandPlaces
     {
         double y = 0.5 * (Landform.CliffSouthRow + Landform.CliffNorthRow) * Cell;
         plan.AddPlace("cliff-edge", "The brink of the cliff", (Landform.CliffColumn * Cell) + 4, y, 270,
-            "Walk off the edge, or jump from it: you keep your speed in the air and land 36 metres lower.");
+            "Run along the brink, which holds whoever walks, or jump from it: you keep your speed in the air and land 36 metres lower.");
         plan.AddPlace("cliff-foot", "Under the cliff", ((Landform.CliffColumn - 1) * Cell) - 6, y, 90,
             "Run at the cliff: it is too steep to climb, you slide along it.");
     }

@@ -26,9 +26,9 @@ internal static class ObstaclePark
             double x = West + (8 * i), height = ObstacleShapes.StepHeights[i];
             plan.AddObject(ObstacleShapes.StepsId(i), plan.Ground(x, South));
             plan.AddPlace(FormattableString.Invariant($"steps-{100 * height:0}"), FormattableString.Invariant($"Steps of {height} m"), x, South - 5, 0,
-                height <= 0.6
+                height < 0.6
                     ? FormattableString.Invariant($"Run up four steps of {height} m.")
-                    : FormattableString.Invariant($"Steps of {height} m are higher than a stride: jump them."));
+                    : FormattableString.Invariant($"Steps of {height} m are too high for a stride, whose limit is 0.6: jump them."));
         }
     }
 
@@ -72,7 +72,7 @@ internal static class ObstaclePark
         plan.AddObject(ObstacleShapes.LongStairPlatform, foot.At(0, 7.2, 0));
         plan.AddPlace("long-stair", "The long stair", foot.X, foot.Y - 5, 0,
             "Run up 6 m over the seam between two stairs to the platform, turn and run down.");
-        plan.AddPlaceOn("platform", "On the platform", foot.At(0, 9.7, 6, 180), "Run down the long stair without losing the ground, or fall off the side.");
+        plan.AddPlaceOn("platform", "On the platform", foot.At(0, 9.7, 6, 180), "Run down the long stair without losing the ground, or jump off the side.");
     }
 
     private static void AddCorners(WorldPlan plan)
@@ -90,7 +90,7 @@ internal static class ObstaclePark
         plan.AddObject(ObstacleShapes.Block, blocks.At(3.9, 0, 0));
         plan.AddObject(ObstacleShapes.Block, blocks.At(7.94, 0, 0));
         plan.AddPlaceOn("close-blocks", "On blocks that stand close", blocks.At(0, 0, 3, 90),
-            "Walk over gaps of 0.9 and 1.04 m: over the first you cannot fall, in the second nothing holds you.");
+            "Jump and walk over gaps of 0.9 and 1.04 m: a body of 0.96 m falls through the second only.");
 
         var wall = plan.Ground(West + 122, North);
         plan.AddObject(ObstacleShapes.WedgeId(ObstacleShapes.WedgeAngles.Length - 1), wall);

@@ -1,4 +1,5 @@
 using System.Collections.Immutable;
+using System.Numerics;
 using Surefoot.Dats.Records;
 using Surefoot.DemoWorld.Buildings;
 using Surefoot.DemoWorld.Land;
@@ -10,6 +11,11 @@ namespace Surefoot.DemoWorld.Placement;
 /// <remarks>Spots are in metres from the land's south-west corner, with absolute heights.</remarks>
 internal sealed class WorldPlan
 {
+    // A human's lower sphere has a radius of 0.48 m about 0.475 m: at rest its feet are 5 mm above what carries it. On flat polygons
+    // places must be exact: retail's placement does not push a body out that overlaps the floor under certain planes of a tree
+    // (spec 04, 4.5, sphere_intersects_solid_poly).
+    private const double FeetAboveFloor = 0.005;
+
     private readonly SortedDictionary<uint, BlockContent> blocks = [];
     private readonly ImmutableArray<NamedPlace>.Builder places = ImmutableArray.CreateBuilder<NamedPlace>();
     private readonly ImmutableArray<DemoSpawn>.Builder spawns = ImmutableArray.CreateBuilder<DemoSpawn>();
@@ -79,15 +85,15 @@ internal sealed class WorldPlan
         places.Add(new(name, title, ground.CellId, ground.Position with { Z = ground.RestHeight }, (float)heading, whatToTry));
     }
 
-    /// <summary>Adds a place outdoors on top of something, at an absolute height.</summary>
+    /// <summary>Adds a place outdoors on top of something; the spot has the height of its surface.</summary>
     public void AddPlaceOn(string name, string title, Spot spot, string whatToTry)
-        => places.Add(new(name, title, Terrain.GroundAt(spot.X, spot.Y).CellId, Localise(spot).Local.ToVector(), (float)spot.Heading, whatToTry));
+        => places.Add(new(name, title, Terrain.GroundAt(spot.X, spot.Y).CellId, FeetOn(Localise(spot).Local), (float)spot.Heading, whatToTry));
 
-    /// <summary>Adds a place in a room; the spot of a place in the dungeon is in its block's coordinates.</summary>
+    /// <summary>Adds a place in a room; the spot lies on the floor. That of a place in the dungeon is in its block's coordinates.</summary>
     public void AddPlaceIn(uint cellId, string name, string title, Spot spot, string whatToTry)
     {
         var local = (cellId & 0xFFFF0000) == Dungeon.BlockId ? spot : Localise(spot).Local;
-        places.Add(new(name, title, cellId, local.ToVector(), (float)spot.Heading, whatToTry));
+        places.Add(new(name, title, cellId, FeetOn(local), (float)spot.Heading, whatToTry));
     }
 
     /// <summary>Adds something to spawn outdoors.</summary>
@@ -113,6 +119,8 @@ internal sealed class WorldPlan
                 yield return cell;
         }
     }
+
+    private static Vector3 FeetOn(Spot floor) => floor.At(0, 0, FeetAboveFloor).ToVector();
 
     // From the land's coordinates to those of the block under the spot.
     private static (uint Block, Spot Local) Localise(Spot spot)

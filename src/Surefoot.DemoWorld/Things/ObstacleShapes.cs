@@ -14,8 +14,8 @@ internal static class ObstacleShapes
 
     private const uint FirstSteps = 0x01000110, FirstWedge = 0x01000120, FirstArch = 0x01000130, FirstGap = 0x01000138;
 
-    /// <summary>Heights of the steps of the short stairs (m); a human climbs 0.6.</summary>
-    public static ImmutableArray<double> StepHeights { get; } = [0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9];
+    /// <summary>Heights of the steps of the short stairs (m); a human's step up height is 0.6.</summary>
+    public static ImmutableArray<double> StepHeights { get; } = [0.2, 0.3, 0.4, 0.5, 0.55, 0.6, 0.7, 0.8, 0.9];
 
     /// <summary>Angles of the wedges (degrees).</summary>
     public static ImmutableArray<double> WedgeAngles { get; } = [30, 45, 47, 48, 49, 50, 60];
@@ -66,7 +66,7 @@ internal static class ObstacleShapes
         for (int step = 0; step < steps; step++)
         {
             double end = (run * (step + 1)) + (step == steps - 1 ? landing : 0);
-            grid.Fill(new(-width / 2, run * step, 0, width / 2, end, baseHeight + (rise * (step + 1))), rise > 0.6 ? Surfaces.WarningRed : Surfaces.Sandstone);
+            grid.Fill(new(-width / 2, run * step, 0, width / 2, end, baseHeight + (rise * (step + 1))), rise >= 0.6 ? Surfaces.WarningRed : Surfaces.Sandstone);
         }
 
         return grid.Faces();
