@@ -178,14 +178,17 @@ public sealed class PhysicsEngine
 /// <param name="ContactPlane">That plane.</param>
 /// <param name="CollisionNormal">Unit normal of the last collision on the way, or null.</param>
 /// <param name="CollidedWithEnvironment">It hit terrain, a building, a room or a static object without standing.</param>
+/// <param name="SlidingNormal">Horizontal unit normal, or zero, of the wall it slides along next; null for none.</param>
 public readonly record struct ResolveResult(
-    bool Found, Position Position, bool HasContact, Plane ContactPlane, Vector3? CollisionNormal, bool CollidedWithEnvironment)
+    bool Found, Position Position, bool HasContact, Plane ContactPlane, Vector3? CollisionNormal, bool CollidedWithEnvironment,
+    Vector3? SlidingNormal)
 {
     internal static ResolveResult Of(bool found, Transition transition)
     {
         CollisionInfo met = transition.Collision;
         return new ResolveResult(
             found, transition.Path.CurrPos, met.ContactPlaneValid, met.ContactPlane,
-            met.CollisionNormalValid ? met.CollisionNormal : null, met.CollidedWithEnvironment);
+            met.CollisionNormalValid ? met.CollisionNormal : null, met.CollidedWithEnvironment,
+            met.SlidingNormalValid ? met.SlidingNormal : null);
     }
 }

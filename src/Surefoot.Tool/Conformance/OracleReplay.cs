@@ -17,6 +17,7 @@ namespace Surefoot.Tool.Conformance;
 internal sealed class OracleReplay(ICellWorld world, Func<uint, SetupAsset> setups)
 {
     private const double Tolerance = 0.001;
+    private const double NormalTolerance = 1e-4;
     private const TransientState Compared = (TransientState)0x7F;
 
     /// <summary>One compared result.</summary>
@@ -113,7 +114,8 @@ internal sealed class OracleReplay(ICellWorld world, Func<uint, SetupAsset> setu
         Vector3 at = Vector(expected.GetProperty("pos"));
         if (!((swept.Position.Frame.Origin - at).Length() <= Tolerance)) return $"position {swept.Position.Frame.Origin}, recorded {at}";
         bool contact = expected.TryGetProperty("contact", out JsonElement c) && c.GetBoolean();
-        return swept.HasContact == contact ? null : "contact";
+        if (swept.HasContact != contact) return "contact";
+        return SameNormal(swept.SlidingNormal, expected) ? null : "sliding normal";
     }
 
     private static string? CompareBody(PhysicsBody body, JsonElement expected)
@@ -122,8 +124,13 @@ internal sealed class OracleReplay(ICellWorld world, Func<uint, SetupAsset> setu
         Vector3 at = Vector(expected.GetProperty("pos"));
         if (!((body.Position.Frame.Origin - at).Length() <= Tolerance)) return $"position {body.Position.Frame.Origin}, recorded {at}";
         TransientState bits = (TransientState)Hex(expected.GetProperty("ts"));
-        return ((body.Transient ^ bits) & Compared) == 0 ? null : $"bits {body.Transient & Compared}, recorded {bits & Compared}";
+        if (((body.Transient ^ bits) & Compared) != 0) return $"bits {body.Transient & Compared}, recorded {bits & Compared}";
+        return SameNormal((body.Transient & TransientState.Sliding) != 0 ? body.SlidingNormal : null, expected) ? null : "sliding normal";
     }
+
+    private static bool SameNormal(Vector3? sliding, JsonElement expected) => expected.TryGetProperty("sliding", out JsonElement recorded)
+        ? sliding is { } normal && (normal - Vector(recorded)).Length() <= NormalTolerance
+        : sliding is null;
 
     private PhysicsBody Create(PhysicsEngine engine, JsonElement element)
     {

@@ -1,0 +1,31 @@
+using Surefoot.Dats;
+using Surefoot.Physics.Assets;
+using Surefoot.Physics.World;
+using Surefoot.Tool.Conformance;
+
+namespace Surefoot.Tool.Tests.Conformance;
+
+/// <summary>Replays what a peer did, as it is, leaving out the results that its known departures change.</summary>
+public class OracleTests
+{
+    [Theory, Behaviour("conformance.oracle", "recorded sweeps, placements and walks of a peer as it is")]
+    [InlineData("placement")]
+    [InlineData("transition")]
+    [InlineData("walk")]
+    public void Results_that_no_known_departure_changes_come_out_the_same(string family)
+    {
+        using DatSet dats = DatSet.Open(Repository.PathOf("tests", "data", "worlds", "oracle"));
+        PhysicsDataCache cache = new(dats);
+        PhysicsWorld world = new(cache);
+        foreach (uint id in dats.IdsOf(DatRecordType.LandBlock)) world.LoadLandblock(id);
+        string file = Repository.PathOf("tests", "data", "oracle-vectors", $"{family}-201.jsonl.gz");
+        HashSet<string> departures = OracleReplay.DeparturesBeside(file);
+        Assert.NotEmpty(departures);
+        ConformanceReport report = new();
+        foreach (OracleReplay.Result result in new OracleReplay(world, cache.GetSetup).Run(file))
+            report.Add(result, departures.Contains(result.Step < 0 ? result.Id : $"{result.Id}/{result.Step}"));
+        OracleScore score = report.Oracle[family];
+        Assert.True(score.ResultsEqual >= 0.99 * score.Results, $"{score.ResultsEqual} of {score.Results} results equal");
+        Assert.True(score.ListedDiffering > 0.5 * score.Listed, $"of {score.Listed} listed departures only {score.ListedDiffering} differ");
+    }
+}
