@@ -16,7 +16,7 @@ internal static class LandPlaces
         plan.AddPlace("meadow", "The meadow", 30.5 * Cell, 33 * Cell, 0,
             "Walk, run, sidestep and turn on level ground; the slopes lie ahead, the lake behind.");
         plan.AddPlace("runway", "The runway", (west + 1) * Cell, (south + 2.5) * Cell, 90,
-            "Run east in a straight line: 1.1 km of level ground across six block borders.");
+            "Run east in a straight line: 1.1 km of level ground across five block borders.");
         plan.AddPlace("road-crossing", "The crossing", Roads.CrossingColumn * Cell, Roads.CrossingRow * Cell, 180,
             "Follow the roads: south to the lake, north to the slopes, east to the mountain and the cliff.");
         plan.AddPlace("landblock-border", "A block border", (32 * Cell) - 6, (south + 3.5) * Cell, 90,
