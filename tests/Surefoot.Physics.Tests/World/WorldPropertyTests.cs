@@ -137,6 +137,8 @@ public sealed class WorldPropertyTests(FirstWorld files) : IClassFixture<FirstWo
             }
 
             Assert.Same(world.GetVisible(body.Position.CellId), body.Cell);
+            // A body put into the air keeps the list of the probe that found no footing (specification 03, 4.9, step 5) until it moves.
+            if (!body.HasContact) continue;
             Transition fresh = new(world);
             fresh.Reset();
             fresh.Path.InitSpheres(body.Setup!.Spheres, body.Scale);
