@@ -149,6 +149,7 @@ public sealed class WorkbenchServer : IAsyncDisposable
         app.MapGet("/places.json", () => Results.Json(Listing(world)));
         app.MapGet("/stats.json", () => Results.Json(Statistics(counters)));
         app.MapGet("/terrain/{block}/{radius:int}", (string block, int radius) => Terrain(world, block, radius));
+        app.MapGet("/shapes/{block}", (string block) => Shapes(world, block));
         app.MapGet("/ws", context => Play(context, world, counters, loop));
         app.MapGet("/{**path}", (HttpContext context, string? path) => page.Serve(context, path));
         return app;
@@ -201,11 +202,22 @@ public sealed class WorkbenchServer : IAsyncDisposable
         unsent = counters.Unsent,
     };
 
+    private static IResult Shapes(IWorkbenchWorld world, string block)
+    {
+        if (!TryParseBlock(block, out ushort id)) return Results.NotFound();
+        return world.ReadShapes(id) is { } shapes ? Results.Bytes(ShapesFrame.Encode(shapes), "application/octet-stream") : Results.NoContent();
+    }
+
+    private static bool TryParseBlock(string text, out ushort block)
+    {
+        block = 0;
+        return text.Length == 4 && ushort.TryParse(text, NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture, out block);
+    }
+
     /// <summary>The landblocks that exist within a square radius of one, each as <see cref="TerrainFrame"/> says.</summary>
     private static IResult Terrain(IWorkbenchWorld world, string block, int radius)
     {
-        bool named = block.Length == 4 & ushort.TryParse(block, NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture, out ushort id);
-        if (!named || radius is < 0 or > MaxTerrainRadius) return Results.NotFound();
+        if (!TryParseBlock(block, out ushort id) || radius is < 0 or > MaxTerrainRadius) return Results.NotFound();
         using MemoryStream found = new();
         int x = id >> 8, y = id & 0xFF;
         for (int i = Math.Max(0, x - radius); i <= Math.Min(LastBlock, x + radius); i++)

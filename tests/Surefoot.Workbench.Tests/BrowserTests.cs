@@ -62,15 +62,15 @@ public sealed class BrowserTests(Browser browser) : IClassFixture<Browser>, IAsy
         foreach (JsonElement drawn in samples.EnumerateArray())
         {
             double at = drawn.GetProperty("at").GetDouble();
-            if (poses[0].Time > at - (SmoothOver / 2) || poses[^1].Time < at + (SmoothOver / 2)) continue;
+            // A busy machine delivers some poses late; what is drawn meanwhile is a guess, and says so.
+            if (drawn.GetProperty("late").GetBoolean() || poses[0].Time > at - (SmoothOver / 2) || poses[^1].Time < at + (SmoothOver / 2)) continue;
             (double x, double y) = MeanOverWindow(poses, at);
             double off = Math.Sqrt(Math.Pow(x - Coordinate(drawn, "x"), 2) + Math.Pow(y - Coordinate(drawn, "y"), 2));
-            // When a busy machine delivers a pose late, the page goes on at the last velocity instead, which on level ground is nearly the same.
-            Assert.True(off < 0.1, $"The player is drawn {off:F3} m off the path at {at:F3} s");
+            Assert.True(off < 0.05, $"The player is drawn {off:F3} m off the path at {at:F3} s");
             if (!Array.Exists(poses, pose => Math.Abs(pose.Time - at) < 0.002)) between++;
         }
 
-        Assert.True(between > 10, $"Only {between} of the frames were drawn between two steps");
+        Assert.True(between > 3, $"Only {between} of the frames were drawn between two steps");
     }
 
     [Fact]

@@ -55,6 +55,18 @@ public sealed class ServerTests : IAsyncLifetime
     }
 
     [Fact]
+    [Behaviour("workbench.server.shapes-that-bodies-meet", "issue 3, item 6")]
+    public async Task Shapes_are_counted_triangles_of_objects_shells_and_rooms()
+    {
+        byte[] bytes = await http.GetByteArrayAsync(new Uri(server.Address, "/shapes/a9b4"));
+        Assert.Equal(12 + (2 * 36), bytes.Length);
+        Assert.Equal([1, 0, 1], Enumerable.Range(0, 3).Select(i => BinaryPrimitives.ReadInt32LittleEndian(bytes.AsSpan(4 * i))));
+        Assert.Equal(2f, BinaryPrimitives.ReadSingleLittleEndian(bytes.AsSpan(bytes.Length - 4)));
+        Assert.Equal(HttpStatusCode.NoContent, (await http.GetAsync(new Uri(server.Address, "/shapes/a9b5"))).StatusCode);
+        Assert.Equal(HttpStatusCode.NotFound, (await http.GetAsync(new Uri(server.Address, "/shapes/a9b"))).StatusCode);
+    }
+
+    [Fact]
     [Behaviour("workbench.server.occupied-port", "design.md")]
     public async Task An_occupied_port_makes_it_take_the_next_free_one()
     {

@@ -1,8 +1,9 @@
+using System.Numerics;
 using Surefoot.Workbench.Wire;
 
 namespace Surefoot.Workbench.Simulation;
 
-/// <summary>The world that pages play in. One thread calls it, but terrain is read from any thread.</summary>
+/// <summary>The world that pages play in. One thread calls it, but terrain and shapes are read from any thread.</summary>
 internal interface IWorkbenchWorld : IDisposable
 {
     /// <summary>Name shown on the page.</summary>
@@ -30,6 +31,10 @@ internal interface IWorkbenchWorld : IDisposable
     /// <summary>The terrain of a landblock as the physics built it, or null where there is none.</summary>
     /// <param name="block">0xXXYY.</param>
     TerrainBlock? ReadTerrain(ushort block);
+
+    /// <summary>What stands on a landblock and under it, or null where there is nothing.</summary>
+    /// <param name="block">0xXXYY.</param>
+    BlockShapes? ReadShapes(ushort block);
 }
 
 /// <summary>One page's player.</summary>
@@ -56,3 +61,9 @@ internal interface IWorkbenchPlayer
 /// <param name="Terrain">81 terrain words (road in bits 0–1, type in bits 2–6), same index.</param>
 /// <param name="SouthWestCut">64 split directions, true for SW–NE, index 8·i + j.</param>
 internal sealed record TerrainBlock(float[] Heights, ushort[] Terrain, bool[] SouthWestCut);
+
+/// <summary>Triangles of what bodies collide with on a landblock, three corners each, metres in the block.</summary>
+/// <param name="Objects">Objects and scenery outdoors.</param>
+/// <param name="Shells">Outsides of buildings.</param>
+/// <param name="Rooms">Rooms, and what stands in them.</param>
+internal sealed record BlockShapes(Vector3[] Objects, Vector3[] Shells, Vector3[] Rooms);

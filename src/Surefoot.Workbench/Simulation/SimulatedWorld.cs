@@ -118,6 +118,22 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     }
 
     /// <inheritdoc/>
+    /// <remarks>The block is built anew in a world of its own: the players' world belongs to their thread, only the assets are shared.</remarks>
+    public BlockShapes? ReadShapes(ushort block)
+    {
+        uint blockId = (uint)block << 16;
+        PhysicsWorld view = new(cache, land.Region);
+        try
+        {
+            return view.LoadLandblock(blockId) ? ShapeCollector.Collect(view.FindLandblock(blockId)!) : null;
+        }
+        catch (Exception unreadable) when (unreadable is DatFormatException or DatRecordMissingException)
+        {
+            return null;
+        }
+    }
+
+    /// <inheritdoc/>
     public void Dispose() => dats.Dispose();
 
     /// <summary>Loads what a player in this cell may reach; before it is put there.</summary>

@@ -13,6 +13,7 @@ export default defineConfig({
     proxy: {
       "/ws": { target: `ws://${workbench}`, ws: true },
       "/terrain": `http://${workbench}`,
+      "/shapes": `http://${workbench}`,
       "/places.json": `http://${workbench}`,
       "/stats.json": `http://${workbench}`,
     },

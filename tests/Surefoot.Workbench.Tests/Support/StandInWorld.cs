@@ -55,6 +55,9 @@ internal sealed class StandInWorld : IWorkbenchWorld
         return new TerrainBlock(heights, words, [.. Enumerable.Range(0, 64).Select(cell => cell % 3 == 0)]);
     }
 
+    public BlockShapes? ReadShapes(ushort block) =>
+        block == 0xA9B4 ? new BlockShapes([Vector3.Zero, Vector3.UnitX, Vector3.UnitY], [], [Vector3.Zero, Vector3.UnitX, new Vector3(0, 0, 2)]) : null;
+
     public void Dispose() => Disposed = true;
 
     private sealed class StandInPlayer(PlayerSettings settings, WorkbenchPlace place, double joined) : IWorkbenchPlayer

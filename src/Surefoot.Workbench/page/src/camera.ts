@@ -5,6 +5,7 @@ import { wrapAngle } from "./timeline";
 
 const eyeHeight = 1.45;
 const clearance = 0.45;
+const indoorDistance = 3.6;
 const restPitch = 0.2;
 
 export class FollowCamera {
@@ -66,9 +67,10 @@ export class FollowCamera {
   /**
    * @param feet the player's feet, relative to the drawing's origin
    * @param facing the player's yaw
+   * @param indoors the player is in a room: the view comes close, and the ground above does not count
    * @param groundAt ground height at a point relative to the origin, or null
    */
-  update(feet: THREE.Vector3, facing: number, dt: number, groundAt: (x: number, y: number) => number | null): void {
+  update(feet: THREE.Vector3, facing: number, dt: number, indoors: boolean, groundAt: (x: number, y: number) => number | null): void {
     const ease = (rate: number): number => 1 - Math.exp(-rate * dt);
     if (this.recentering) {
       this.orbit -= this.orbit * ease(7);
@@ -78,14 +80,14 @@ export class FollowCamera {
     this.yaw = Number.isNaN(this.yaw) ? facing : this.yaw + wrapAngle(facing - this.yaw) * ease(14);
     // Heights come in steps of terrain edges; the camera glides over them, but never falls far behind a jump or a fall.
     this.height = Number.isNaN(this.height) ? feet.z : this.height + (feet.z - this.height) * ease(12);
-    this.distance += (this.wantedDistance - this.distance) * ease(10);
+    this.distance += ((indoors ? Math.min(this.wantedDistance, indoorDistance) : this.wantedDistance) - this.distance) * ease(10);
     this.target.set(feet.x, feet.y, this.height + eyeHeight);
 
     const angle = this.yaw + this.orbit;
     const flat = Math.cos(this.pitch) * this.distance;
     const eye = this.camera.position;
     eye.set(this.target.x + Math.sin(angle) * flat, this.target.y - Math.cos(angle) * flat, this.target.z + Math.sin(this.pitch) * this.distance);
-    const ground = groundAt(eye.x, eye.y);
+    const ground = indoors ? null : groundAt(eye.x, eye.y);
     if (ground !== null && eye.z < ground + clearance) eye.z = ground + clearance;
     this.camera.lookAt(this.target);
   }

@@ -6,6 +6,7 @@ import { Connection } from "./connection";
 import { Figure } from "./figure";
 import { Hud, type Place } from "./hud";
 import { Keyboard } from "./keys";
+import { Objects } from "./objects";
 import { Stage } from "./stage";
 import { Terrain } from "./terrain";
 import { horizonColor, sunDirection, zenithColor } from "./sky";
@@ -24,6 +25,7 @@ interface Player {
 const canvas = document.getElementById("view") as HTMLCanvasElement;
 const stage = new Stage(canvas);
 const terrain = new Terrain(stage.noise, sunDirection, horizonColor, zenithColor);
+const objects = new Objects();
 const origin = new THREE.Vector3();
 const others = new Map<number, Player>();
 let me: Player | null = null;
@@ -49,7 +51,7 @@ const hud = new Hud(
 );
 const keyboard = new Keyboard((bits) => connection.sendKeys(bits), command);
 
-stage.scene.add(terrain.group);
+stage.scene.add(terrain.group, objects.group);
 void loadPlaces();
 connection.open();
 requestAnimationFrame(draw);
@@ -141,6 +143,8 @@ function drawMe(player: Player, last: OwnPose, time: number, now: number, dt: nu
   if (far(block)) rebase(block);
   move(player, time, now, dt);
   if (terrain.update(block)) stage.grass.invalidate();
+  const indoors = (last.cell & 0xffff) >= 0x100;
+  objects.update(block, indoors);
   if (!player.drawn) return;
   if (player.drawn.teleports !== drawnTeleports) {
     drawnTeleports = player.drawn.teleports;
@@ -150,7 +154,7 @@ function drawMe(player: Player, last: OwnPose, time: number, now: number, dt: nu
   if (stage.grass.mesh.visible) stage.grass.update(player.drawn.position.x, player.drawn.position.y, origin, terrain, now % 3600);
   const feet = player.figure.group.position;
   stage.lights.follow(feet);
-  stage.view.update(feet, player.drawn.yaw, dt, (x, y) => terrain.heightAt(x + origin.x, y + origin.y));
+  stage.view.update(feet, player.drawn.yaw, dt, indoors, (x, y) => terrain.heightAt(x + origin.x, y + origin.y));
   hud.showCharge((last.flags & PoseFlag.Charging) !== 0, player.drawn.charge);
   if (terrain.drawn > 0) hud.uncover();
 }
@@ -171,6 +175,7 @@ function far(block: number): boolean {
 function rebase(block: number): void {
   origin.set((block >> 8) * blockSide, (block & 0xff) * blockSide, 0);
   terrain.setOrigin(block >> 8, block & 0xff);
+  objects.setOrigin(block >> 8, block & 0xff);
   stage.grass.invalidate();
   stage.view.cut();
 }
@@ -254,6 +259,9 @@ const inspection = {
   },
   get blocks(): number {
     return terrain.drawn;
+  },
+  get shapes(): number {
+    return objects.triangles;
   },
   get triangles(): boolean {
     return terrain.uniforms.triangles.value > 0;

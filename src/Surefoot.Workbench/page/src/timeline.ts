@@ -14,6 +14,8 @@ export interface Drawn {
   forward: number;
   sidestep: number;
   teleports: number;
+  /** A pose that should be known by now has not come: where this one is was guessed. */
+  late: boolean;
 }
 
 interface Entry extends Drawn {
@@ -48,6 +50,7 @@ export class PoseTimeline {
       forward: pose.forward,
       sidestep: pose.sidestep,
       teleports: pose.teleports,
+      late: false,
     });
     if (this.entries.length > keep) this.entries.shift();
   }
@@ -65,7 +68,18 @@ export class PoseTimeline {
       position.z += near.position.z / smoothSamples;
       turned += wrapAngle(near.yaw - middle.yaw) / smoothSamples;
     }
-    return { ...middle, position, yaw: middle.yaw + turned };
+    return { ...middle, position, yaw: middle.yaw + turned, late: this.entries[this.entries.length - 1].time < time + smoothOver / 2 };
+  }
+
+  /** Mean velocity of the last tenth of a second; a single step's is uneven. */
+  private recentVelocity(): Vec3 {
+    const last = this.entries[this.entries.length - 1];
+    const first = this.entries.find((one) => one.time >= last.time - longestGuess - 0.01) ?? last;
+    const seconds = last.time - first.time;
+    if (seconds <= 0 || first.airborne !== last.airborne) return last.velocity;
+    const { position: a } = first;
+    const { position: b } = last;
+    return { x: (b.x - a.x) / seconds, y: (b.y - a.y) / seconds, z: (b.z - a.z) / seconds };
   }
 
   /** The pose at a moment as it came: between two poses on the line that joins them; past the last one, onward at its velocity for a tenth of a second at most. */
@@ -76,14 +90,14 @@ export class PoseTimeline {
     while (after > 0 && entries[after - 1].time > time) after--;
     if (after === 0) return entries[0];
     const a = entries[after - 1];
-    if (after === entries.length) return onward(a, Math.min(time - a.time, longestGuess));
+    if (after === entries.length) return onward(a, this.recentVelocity(), Math.min(time - a.time, longestGuess));
     const b = entries[after];
     return between(a, b, (time - a.time) / (b.time - a.time));
   }
 }
 
-function onward(from: Entry, seconds: number): Drawn {
-  const { position: p, velocity: v } = from;
+function onward(from: Entry, v: Vec3, seconds: number): Drawn {
+  const p = from.position;
   return { ...from, position: { x: p.x + v.x * seconds, y: p.y + v.y * seconds, z: p.z + (from.airborne ? v.z * seconds : 0) } };
 }
 
@@ -100,6 +114,7 @@ function between(a: Entry, b: Entry, share: number): Drawn {
     forward: b.forward,
     sidestep: b.sidestep,
     teleports: b.teleports,
+    late: false,
   };
 }
 

@@ -1,0 +1,98 @@
+using System.Numerics;
+using Surefoot.Physics.Assets;
+using Surefoot.Physics.Geometry;
+using Surefoot.Physics.World;
+
+namespace Surefoot.Workbench.Simulation;
+
+/// <summary>
+/// Turns what bodies collide with into triangles to draw: the collision polygons of objects, buildings and rooms, and the cylinders and spheres of objects
+/// without polygons. What is not solid is not shown, and what is shown is where it stops a body.
+/// </summary>
+internal static class ShapeCollector
+{
+    private const int CylinderSides = 12;
+    private const int SphereRings = 6;
+
+    /// <summary>The shapes of a block, in its coordinates.</summary>
+    public static BlockShapes Collect(Landblock block)
+    {
+        List<Vector3> objects = [], shells = [], rooms = [];
+        foreach (StaticObject item in block.StaticObjects) AddObject(CellIds.IsOutdoor(item.Position.CellId) ? objects : rooms, item);
+        foreach (BuildingObject building in block.Buildings) AddObject(shells, building.Shell);
+        foreach (EnvCell room in block.Rooms) AddPolygons(rooms, room.Shape.Physics.Polygons, room.Position.Frame, 1f);
+        return new BlockShapes([.. objects], [.. shells], [.. rooms]);
+    }
+
+    private static void AddObject(List<Vector3> to, StaticObject item)
+    {
+        if (item.Setup is not { } setup) return;
+        if (setup.HasPhysicsBsp)
+        {
+            ReadOnlySpan<Frame> pose = setup.Placement(0);
+            for (int i = 0; i < Math.Min(setup.Parts.Length, pose.Length); i++)
+            {
+                SetupPart part = setup.Parts[i];
+                if (part.Mesh.Physics is not { } tree) continue;
+                Frame frame = SetupAsset.PlacePart(item.Position, pose[i], item.Scale).Frame;
+                AddPolygons(to, tree.Polygons, frame, part.DefaultScale.Z * item.Scale);
+            }
+
+            return;
+        }
+
+        foreach (CylSphere cylinder in setup.Cylinders)
+            AddCylinder(to, item.Position.Frame.LocalToGlobal(cylinder.LowPoint * item.Scale), cylinder.Radius * item.Scale, cylinder.Height * item.Scale);
+        if (setup.Cylinders.Length > 0) return;
+        foreach (Sphere sphere in setup.Spheres) AddSphere(to, item.Position.Frame.LocalToGlobal(sphere.Center * item.Scale), sphere.Radius * item.Scale);
+    }
+
+    private static void AddPolygons(List<Vector3> to, PolygonSet polygons, in Frame frame, float scale)
+    {
+        for (int i = 0; i < polygons.Count; i++)
+        {
+            ReadOnlySpan<Vector3> corners = polygons.CornersOf(i);
+            for (int k = 2; k < corners.Length; k++)
+            {
+                to.Add(frame.LocalToGlobal(corners[0] * scale));
+                to.Add(frame.LocalToGlobal(corners[k - 1] * scale));
+                to.Add(frame.LocalToGlobal(corners[k] * scale));
+            }
+        }
+    }
+
+    private static void AddCylinder(List<Vector3> to, Vector3 low, float radius, float height)
+    {
+        Vector3 up = new(0, 0, height);
+        for (int i = 0; i < CylinderSides; i++)
+        {
+            Vector3 a = low + OnCircle(i, radius), b = low + OnCircle(i + 1, radius);
+            to.AddRange([a, b, b + up, a, b + up, a + up, low + up, a + up, b + up]);
+        }
+
+        static Vector3 OnCircle(int side, float radius)
+        {
+            (float sin, float cos) = MathF.SinCos(side * MathF.Tau / CylinderSides);
+            return new Vector3(cos * radius, sin * radius, 0);
+        }
+    }
+
+    private static void AddSphere(List<Vector3> to, Vector3 center, float radius)
+    {
+        for (int ring = 0; ring < SphereRings; ring++)
+        {
+            for (int side = 0; side < CylinderSides; side++)
+            {
+                Vector3 a = On(ring, side), b = On(ring, side + 1), c = On(ring + 1, side + 1), d = On(ring + 1, side);
+                to.AddRange([a, b, c, a, c, d]);
+            }
+        }
+
+        Vector3 On(int ring, int side)
+        {
+            (float sinUp, float cosUp) = MathF.SinCos((ring * MathF.PI / SphereRings) - (MathF.PI / 2));
+            (float sin, float cos) = MathF.SinCos(side * MathF.Tau / CylinderSides);
+            return center + (radius * new Vector3(cosUp * cos, cosUp * sin, sinUp));
+        }
+    }
+}
