@@ -68,6 +68,8 @@ public readonly ref struct ConvexPolygon
         float radiusSquared = (float)((reach * reach) - (distance * distance));
         Vector3 n = Plane.Normal, c = sphere.Center;
         contact = new Vector3((float)(c.X - (distance * n.X)), (float)(c.Y - (distance * n.Y)), c.Z - (float)(distance * n.Z));
+        // The two walks round differently, and the second starts with "no": a foot of the perpendicular that is on the line of an edge to the last bit may
+        // be outside for the first and inside for the second, and is then missed. Retail's.
         return IsInsideEveryEdge(contact) || DiscTouches(contact, radiusSquared, false);
     }
 

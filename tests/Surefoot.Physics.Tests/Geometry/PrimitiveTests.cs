@@ -111,9 +111,18 @@ public class PrimitiveTests
                 double distance = TriangleDistance(a, b, c, center);
                 // The plane is rounded, so a shell of half a millimetre around the threshold is not judged.
                 if (Math.Abs(distance - (radius - 0.0002)) < 5e-4) return;
+                // On the line of an edge, to a rounding, retail's two walks may disagree about the side, and then the polygon is missed.
+                if (DistanceFromEdgeLines(a, b, c, center) < 1e-5) return;
                 Assert.Equal(distance < radius, new ConvexPolygon(ConvexPolygon.MakePlane(corners), corners).HitsSphere(new Sphere(center, radius)));
             },
             iter: Fuzz.Cases(4000));
+
+    private static double DistanceFromEdgeLines(Vector3 a, Vector3 b, Vector3 c, Vector3 p)
+    {
+        Vector3 n = Vector3.Normalize(Vector3.Cross(b - a, c - a));
+        double Off(Vector3 from, Vector3 to) => Math.Abs(Vector3.Dot(Vector3.Cross(n, Vector3.Normalize(to - from)), p - from));
+        return Math.Min(Off(a, b), Math.Min(Off(b, c), Off(c, a)));
+    }
 
     /// <summary>Distance from a triangle by sampling the nearest of its face and its three edges (Ericson, 5.1.5, by projection).</summary>
     private static double TriangleDistance(Vector3 a, Vector3 b, Vector3 c, Vector3 p)
