@@ -50,7 +50,7 @@ internal sealed class DemoWalk
         world = new PhysicsWorld(files.Cache);
         engine = new PhysicsEngine(world);
         Position position = new(named.CellId, new Frame(named.Origin + new Vector3(eastward, northward, 0), named.Orientation));
-        position.AdjustToOutside();
+        if (CellIds.IsOutdoor(position.CellId)) position.AdjustToOutside();
         world.EnsureLoadedAround(position, 1);
         Player = LocalPlayer.Spawn(
             engine, 0x50000001, files.Cache.GetSetup(HumanSetup), files.Motions, position, stats, new LocalPlayerOptions { Observer = Sent })!;
