@@ -151,6 +151,7 @@ function drawMe(player: Player, last: OwnPose, time: number, now: number, dt: nu
     stage.view.cut();
     stage.grass.invalidate();
   }
+  stage.showGrass(!indoors);
   if (stage.grass.mesh.visible) stage.grass.update(player.drawn.position.x, player.drawn.position.y, origin, terrain, now % 3600);
   const feet = player.figure.group.position;
   stage.lights.follow(feet);

@@ -19,7 +19,7 @@ export class Objects {
     objects: new THREE.MeshLambertMaterial({ color: 0x9c8460, flatShading: true }),
     shells: new THREE.MeshLambertMaterial({ color: 0xcdb58e, flatShading: true }),
     // Floors lie in the ground's own plane.
-    rooms: new THREE.MeshLambertMaterial({ color: 0xb59f7d, flatShading: true, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -2 }),
+    rooms: new THREE.MeshLambertMaterial({ color: 0xb59f7d, emissive: 0x2e271d, flatShading: true, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -2 }),
   };
   private readonly edges = new THREE.LineBasicMaterial({ color: 0x2a2018, transparent: true, opacity: 0.45 });
   private readonly blocks = new Map<number, Shapes | "none" | "asked">();
@@ -113,7 +113,9 @@ export class Objects {
     geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
     geometry.computeVertexNormals();
     const mesh = new THREE.Mesh(geometry, material);
-    mesh.castShadow = mesh.receiveShadow = true;
+    // A room's ceiling would put all of it in the shade.
+    mesh.castShadow = material !== this.materials.rooms;
+    mesh.receiveShadow = true;
     return [mesh, new THREE.LineSegments(new THREE.EdgesGeometry(geometry, sharpEdge), this.edges)];
   }
 

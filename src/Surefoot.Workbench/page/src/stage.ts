@@ -19,6 +19,7 @@ export class Stage {
   private ratio = Math.min(devicePixelRatio, 2);
   private average = 1 / 60;
   private settled = 0;
+  private grassAffordable = true;
 
   constructor(canvas: HTMLCanvasElement) {
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: devicePixelRatio < 2, powerPreference: "high-performance" });
@@ -37,6 +38,11 @@ export class Stage {
     return this.average;
   }
 
+  /** Grass where one is outdoors and the machine is quick enough. */
+  showGrass(outdoors: boolean): void {
+    this.grass.mesh.visible = outdoors && this.grassAffordable;
+  }
+
   render(dt: number): void {
     this.renderer.render(this.scene, this.view.camera);
     this.adapt(dt);
@@ -50,8 +56,8 @@ export class Stage {
     this.settled = 0;
     if (!document.body.classList.contains("plain")) {
       document.body.classList.add("plain");
-    } else if (this.grass.mesh.visible) {
-      this.grass.mesh.visible = false;
+    } else if (this.grassAffordable) {
+      this.grassAffordable = false;
     } else if (this.ratio > 0.5) {
       this.ratio = Math.max(0.5, this.ratio * 0.7);
       this.resize();
