@@ -1,2 +1,3 @@
 namespace Surefoot.Protocol;
+
 internal static class Marker;

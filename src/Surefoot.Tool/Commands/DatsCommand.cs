@@ -40,7 +40,12 @@ internal static class DatsCommand
     {
         var kinds = set.Files.SelectMany(file => file.Entries.GroupBy(e => DatIds.RecordTypeOf(e.Id, file.Kind)).OrderBy(g => g.Key).Select(g => new
         {
-            File = Path.GetFileName(file.Path), Kind = g.Key.ToString(), Records = g.Count(), Bytes = g.Sum(e => (long)e.Size), First = $"{g.Min(e => e.Id):X8}", Last = $"{g.Max(e => e.Id):X8}",
+            File = Path.GetFileName(file.Path),
+            Kind = g.Key.ToString(),
+            Records = g.Count(),
+            Bytes = g.Sum(e => (long)e.Size),
+            First = $"{g.Min(e => e.Id):X8}",
+            Last = $"{g.Max(e => e.Id):X8}",
         })).ToList();
         if (json)
         {
@@ -113,8 +118,12 @@ internal static class DatsCommand
             });
             var summary = new
             {
-                Records = outcomes.Sum(), Identical = outcomes[(int)DatVerifyOutcome.Identical], Opaque = outcomes[(int)DatVerifyOutcome.Opaque],
-                Different = outcomes[(int)DatVerifyOutcome.Different], Failed = outcomes[(int)DatVerifyOutcome.Failed], Remarks = remarks,
+                Records = outcomes.Sum(),
+                Identical = outcomes[(int)DatVerifyOutcome.Identical],
+                Opaque = outcomes[(int)DatVerifyOutcome.Opaque],
+                Different = outcomes[(int)DatVerifyOutcome.Different],
+                Failed = outcomes[(int)DatVerifyOutcome.Failed],
+                Remarks = remarks,
                 Faults = bad.Select(b => new { File = Path.GetFileName(b.File), Id = $"{b.Id:X8}", Kind = b.Type.ToString(), Outcome = b.Outcome.ToString(), b.Message }),
             };
             if (parsed.GetValue(json))

@@ -11,7 +11,8 @@ internal static class PlayCommand
     {
         Option<int> port = new("--port")
         {
-            Description = "Port on this machine; when it is taken, the next free one.", DefaultValueFactory = _ => WorkbenchOptions.DefaultPort,
+            Description = "Port on this machine; when it is taken, the next free one.",
+            DefaultValueFactory = _ => WorkbenchOptions.DefaultPort,
         };
         Option<DirectoryInfo?> dats = CommonOptions.Dats();
         Option<bool> noBrowser = new("--no-browser") { Description = "Do not open the page." };

@@ -100,10 +100,22 @@ internal static class WalkCommand
 
     private static object ToJson(WalkResult walk) => new
     {
-        walk.Place, walk.Script, walk.RunSkill, walk.JumpSkill, walk.Distance, walk.TopSpeed,
+        walk.Place,
+        walk.Script,
+        walk.RunSkill,
+        walk.JumpSkill,
+        walk.Distance,
+        walk.TopSpeed,
         Samples = walk.Samples.Select(s => new
         {
-            s.Time, Cell = $"{s.CellId:X8}", Position = (float[])[s.Local.X, s.Local.Y, s.Local.Z], s.Heading, s.Speed, s.OnWalkable, s.HasContact, s.Charge,
+            s.Time,
+            Cell = $"{s.CellId:X8}",
+            Position = (float[])[s.Local.X, s.Local.Y, s.Local.Z],
+            s.Heading,
+            s.Speed,
+            s.OnWalkable,
+            s.HasContact,
+            s.Charge,
         }),
         walk.Events,
     };

@@ -70,7 +70,10 @@ internal sealed class ConformanceReport
 
     private object Score(SceneScore all, Func<(SceneScore Reseated, SceneScore Free), SceneScore> pick) => new
     {
-        all.Cases, all.CasesEqual, all.Steps, all.StepsEqual,
+        all.Cases,
+        all.CasesEqual,
+        all.Steps,
+        all.StepsEqual,
         Scenes = scenes.ToDictionary(s => s.Key, s => pick(s.Value)),
     };
 }

@@ -28,9 +28,15 @@ internal static class WalkScript
 
     private static readonly Dictionary<string, MovementKeys> KeyNames = new(StringComparer.OrdinalIgnoreCase)
     {
-        ["W"] = MovementKeys.Forward, ["S"] = MovementKeys.Back, ["A"] = MovementKeys.TurnLeft, ["D"] = MovementKeys.TurnRight,
-        ["Q"] = MovementKeys.SidestepLeft, ["E"] = MovementKeys.SidestepRight, ["Shift"] = MovementKeys.Walk,
-        ["Space"] = MovementKeys.Jump, ["Wait"] = MovementKeys.None,
+        ["W"] = MovementKeys.Forward,
+        ["S"] = MovementKeys.Back,
+        ["A"] = MovementKeys.TurnLeft,
+        ["D"] = MovementKeys.TurnRight,
+        ["Q"] = MovementKeys.SidestepLeft,
+        ["E"] = MovementKeys.SidestepRight,
+        ["Shift"] = MovementKeys.Walk,
+        ["Space"] = MovementKeys.Jump,
+        ["Wait"] = MovementKeys.None,
     };
 
     /// <exception cref="WalkScriptException">The script is wrong; the exception says where.</exception>

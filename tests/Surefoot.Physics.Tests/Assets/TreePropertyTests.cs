@@ -74,7 +74,11 @@ public class TreePropertyTests
             {
                 WalkableSearch search = new()
                 {
-                    Sphere = sphere, Movement = new Vector3(0, 0, -down), Up = Vector3.UnitZ, Allowance = RetailMath.LandingZ, WalkInterp = 1,
+                    Sphere = sphere,
+                    Movement = new Vector3(0, 0, -down),
+                    Up = Vector3.UnitZ,
+                    Allowance = RetailMath.LandingZ,
+                    WalkInterp = 1,
                 };
                 tree.FindWalkable(ref search);
                 if (!search.Found)

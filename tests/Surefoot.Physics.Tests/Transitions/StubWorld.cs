@@ -63,7 +63,12 @@ internal sealed class StubWorld : ICellWorld
 
     internal static SetupAsset Setup(params Sphere[] spheres) => new()
     {
-        Id = 0x02000001, Spheres = spheres, Height = 1.83f, Radius = spheres[0].Radius, StepUpHeight = 0.6f, StepDownHeight = 0.6f,
+        Id = 0x02000001,
+        Spheres = spheres,
+        Height = 1.83f,
+        Radius = spheres[0].Radius,
+        StepUpHeight = 0.6f,
+        StepDownHeight = 0.6f,
     };
 
     internal PhysicsBody Walker() => new PhysicsEngine(this).CreateBody(

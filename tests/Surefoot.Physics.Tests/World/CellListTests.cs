@@ -176,7 +176,11 @@ public sealed class CellListTests
     {
         SetupAsset setup = new()
         {
-            Spheres = [new Sphere(new Vector3(0, 0, Radius), Radius)], Height = 1.8f, Radius = Radius, StepUpHeight = 0.6f, StepDownHeight = 0.6f,
+            Spheres = [new Sphere(new Vector3(0, 0, Radius), Radius)],
+            Height = 1.8f,
+            Radius = Radius,
+            StepUpHeight = 0.6f,
+            StepDownHeight = 0.6f,
         };
         PhysicsBody body = new PhysicsEngine(world).CreateBody(1, setup, weenie: weenie);
         Assert.True(body.EnterWorld(place));

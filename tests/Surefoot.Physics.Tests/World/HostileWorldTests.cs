@@ -65,7 +65,8 @@ public sealed class HostileWorldTests
         {
             [Info] = new LandBlockInfo
             {
-                Id = Info, CellCount = 1,
+                Id = Info,
+                CellCount = 1,
                 Objects = [At(0x02000099, 10), At(Thing, 10), At(Thing, -10), At(Thing, 1e30f), At(0, 10)],
                 Buildings =
                 [
@@ -94,7 +95,8 @@ public sealed class HostileWorldTests
     {
         GfxObj mesh = new()
         {
-            Id = Mesh, Vertices = new DatVertexArray([Vertex(0, -1e30f), Vertex(1, 1e30f)]),
+            Id = Mesh,
+            Vertices = new DatVertexArray([Vertex(0, -1e30f), Vertex(1, 1e30f)]),
         };
         PhysicsWorld world = new Records { [Mesh] = mesh, [Info] = new LandBlockInfo { Id = Info, Objects = [At(Mesh, 10)] } }.World();
         Assert.True(world.LoadLandblock(Block));
@@ -130,7 +132,12 @@ public sealed class HostileWorldTests
 
     private static EnvCell RoomRecord(ushort structure = 0, DatFrame? frame = null, params ImmutableArray<CellPortal> portals) => new()
     {
-        Id = Room, CellId = Room, EnvironmentId = Shapes, Structure = structure, Position = frame ?? DatFrame.Identity, Portals = portals,
+        Id = Room,
+        CellId = Room,
+        EnvironmentId = Shapes,
+        Structure = structure,
+        Position = frame ?? DatFrame.Identity,
+        Portals = portals,
     };
 
     /// <summary>A flat block with one room and one thing, some of its records replaced or taken away.</summary>
@@ -145,7 +152,8 @@ public sealed class HostileWorldTests
             this[Room] = RoomRecord();
             this[Shapes] = new CellEnvironment
             {
-                Id = Shapes, Cells = [new CellStruct { CellTree = BspTree.OfLeaf(new BspNode()), PhysicsTree = BspTree.OfLeaf(new BspNode()) }],
+                Id = Shapes,
+                Cells = [new CellStruct { CellTree = BspTree.OfLeaf(new BspNode()), PhysicsTree = BspTree.OfLeaf(new BspNode()) }],
             };
             this[Thing] = new Setup { Id = Thing, CylSpheres = [new DatCylSphere(Vector3.Zero, 0.5f, 2)] };
         }

@@ -168,7 +168,12 @@ public sealed class RoomTests
 
     private static EnvCell Room(uint id, float x, PortalPlane[] portals, uint[] stabs, bool seenOutside) => new(new EnvCellContent
     {
-        Id = id, Frame = new Frame(new Vector3(x, 84, 20), Quaternion.Identity), Shape = Shape(), Portals = portals, StabList = stabs, SeenOutside = seenOutside,
+        Id = id,
+        Frame = new Frame(new Vector3(x, 84, 20), Quaternion.Identity),
+        Shape = Shape(),
+        Portals = portals,
+        StabList = stabs,
+        SeenOutside = seenOutside,
     });
 
     /// <summary>Ten metres square and six high.</summary>
