@@ -1,3 +1,0 @@
-namespace Surefoot.Protocol;
-
-internal static class Marker;
