@@ -135,7 +135,7 @@ public sealed class PhysicsEngine
 
     /// <summary>Bodies whose cell came with a landblock enter the world again.</summary>
     /// <param name="blockId">The landblock, 0xXXYY0000.</param>
-    public void OnLandblockLoaded(uint blockId)
+    internal void OnLandblockLoaded(uint blockId)
     {
         foreach (PhysicsBody body in bodies)
             if (body.IsLost && CellIds.BlockOf(body.Position.CellId) == blockId) body.ReenterVisibility();
@@ -143,7 +143,7 @@ public sealed class PhysicsEngine
 
     /// <summary>Bodies in a landblock that goes away wait for it. To be called before it does.</summary>
     /// <param name="blockId">The landblock, 0xXXYY0000.</param>
-    public void OnLandblockUnloading(uint blockId)
+    internal void OnLandblockUnloading(uint blockId)
     {
         foreach (PhysicsBody body in bodies)
             if (body.Cell is not null && CellIds.BlockOf(body.Position.CellId) == blockId) body.LeaveVisibility();

@@ -182,7 +182,7 @@ internal static class CylinderCollision
         // Sphere 0's accepted centre, also when sphere 1 met the cylinder; and its block frame is taken for the check position's. Both are retail's.
         Sphere moving = path.GlobalSpheres[i];
         Vector3 curr = path.GlobalCurrCenters[0];
-        Clip clip = new(SphereCollision.Displacement(path, moving.Center, curr), curr - cylinder.LowPoint, (float)((double)radiusSum + RetailMath.Epsilon));
+        Clip clip = new(path.Displacement(moving.Center, curr), curr - cylinder.LowPoint, (float)((double)radiusSum + RetailMath.Epsilon));
         double t;
         Vector3 way;
         if (definite && normal.Z != 0)

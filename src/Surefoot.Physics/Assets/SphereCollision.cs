@@ -62,14 +62,6 @@ internal static class SphereCollision
     internal static Vector3 WayBack(SpherePath path) =>
         path.GlobalCurrCenters[0] - path.GlobalSpheres[0].Center - path.CurrToCheckBlockOffset;
 
-    /// <summary>Attempted displacement between two centres given in the block frames of the accepted and of the check position.</summary>
-    internal static Vector3 Displacement(SpherePath path, in Vector3 center, in Vector3 curr)
-    {
-        Vector3 block = path.CurrToCheckBlockOffset;
-        return new Vector3(
-            (float)(block.X + ((double)center.X - curr.X)), (float)(block.Y + ((double)center.Y - curr.Y)), block.Z + (center.Z - curr.Z));
-    }
-
     /// <summary>Pulls a landing foot back along its way until it rests on the ball.</summary>
     private static TransitionState RestOnSphere(Transition transition, Vector3 offset, float radiusSum)
     {
@@ -159,7 +151,7 @@ internal static class SphereCollision
         }
 
         float reach = (float)((double)radiusSum + RetailMath.Epsilon);
-        Vector3 movement = Displacement(path, center, curr);
+        Vector3 movement = path.Displacement(center, curr);
         double t = CollisionPrimitives.TimeOfCollision(movement, fromObstacle, reach);
         if (!(t >= RetailMath.Epsilon && t <= 1)) return TransitionState.Collided;
         Vector3 offset = new(
@@ -200,7 +192,7 @@ internal static class SphereCollision
         // Without a contact plane the last known one serves, valid or not.
         Vector3 floor = collision.ContactPlaneValid ? collision.ContactPlane.Normal : collision.LastKnownContactPlane.Normal;
         Vector3 crease = RetailMath.Cross(normal, floor);
-        Vector3 movement = Displacement(path, path.GlobalSpheres[i].Center, path.GlobalCurrCenters[i]);
+        Vector3 movement = path.CurrToCheckDisplacement(i);
         double squared = RetailMath.LengthSquared(crease);
         if (squared >= RetailMath.Epsilon)
         {

@@ -24,9 +24,7 @@ public sealed partial class Transition
         }
 
         Collision.SetCollisionNormal(normal);
-        Vector3 block = Path.CurrToCheckBlockOffset;
-        Vector3 movement = new(
-            (float)(block.X + ((double)center.X - curr.X)), (float)(block.Y + ((double)center.Y - curr.Y)), (float)(block.Z + ((double)center.Z - curr.Z)));
+        Vector3 movement = Path.Displacement(center, curr);
         // Without a contact plane the last known one serves, valid or not.
         Vector3 floor = Collision.ContactPlaneValid ? Collision.ContactPlane.Normal : Collision.LastKnownContactPlane.Normal;
 

@@ -252,11 +252,14 @@ public sealed class SpherePath
     /// <remarks>Retail: SPHEREPATH::get_curr_pos_check_pos_block_offset @0x00509FD0.</remarks>
     internal Vector3 CurrToCheckBlockOffset => CellIds.BlockOffset(CurrPos.CellId, CheckPos.CellId);
 
-    /// <summary>Displacement of sphere 0 from the accepted position to the position under test.</summary>
-    internal Vector3 CurrToCheckDisplacement(int sphere)
+    /// <summary>Displacement between two centres given in the block frames of the accepted and of the check position.</summary>
+    internal Vector3 Displacement(in Vector3 center, in Vector3 curr)
     {
-        Vector3 block = CurrToCheckBlockOffset, c = GlobalSpheres[sphere].Center, curr = GlobalCurrCenters[sphere];
+        Vector3 block = CurrToCheckBlockOffset;
         return new Vector3(
-            (float)(block.X + ((double)c.X - curr.X)), (float)(block.Y + ((double)c.Y - curr.Y)), (float)(block.Z + ((double)c.Z - curr.Z)));
+            (float)(block.X + ((double)center.X - curr.X)), (float)(block.Y + ((double)center.Y - curr.Y)), (float)(block.Z + ((double)center.Z - curr.Z)));
     }
+
+    /// <summary>Displacement of a sphere from the accepted position to the position under test.</summary>
+    internal Vector3 CurrToCheckDisplacement(int sphere) => Displacement(GlobalSpheres[sphere].Center, GlobalCurrCenters[sphere]);
 }

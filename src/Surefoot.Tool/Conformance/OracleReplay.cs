@@ -86,7 +86,7 @@ internal sealed class OracleReplay(ICellWorld world, Func<uint, SetupAsset> setu
     private static IEnumerable<Result> ReplayWalk(PhysicsBody mover, JsonElement walk, string id, string tag)
     {
         float quantum = walk.GetProperty("q").GetSingle();
-        RootMotion motion = new() { Quantum = quantum };
+        RecordedMotion motion = new();
         mover.AttachMovement(motion);
         JsonElement before = walk.GetProperty("start");
         Quaternion facing = Quaternion.Identity;
@@ -94,7 +94,7 @@ internal sealed class OracleReplay(ICellWorld world, Func<uint, SetupAsset> setu
         foreach (JsonElement step in walk.GetProperty("steps").EnumerateArray())
         {
             facing = Seat(mover, before, facing);
-            if (step.TryGetProperty("root", out JsonElement root)) motion.Rate = Vector(root);
+            if (step.TryGetProperty("root", out JsonElement root)) motion.Offset = RetailMath.Scale(Vector(root), quantum);
             if (step.TryGetProperty("leave", out JsonElement leave) && leave.ValueKind == JsonValueKind.True) mover.SetOnWalkable(false);
             if (step.TryGetProperty("set_velocity", out JsonElement velocity)) mover.SetVelocity(Vector(velocity));
             mover.SetActive(true);
@@ -181,34 +181,4 @@ internal sealed class OracleReplay(ICellWorld world, Func<uint, SetupAsset> setu
     private static Vector3 Vector(JsonElement v) => new(v[0].GetSingle(), v[1].GetSingle(), v[2].GetSingle());
 
     private static uint Hex(JsonElement text) => uint.Parse(text.GetString()!, NumberStyles.HexNumber, CultureInfo.InvariantCulture);
-
-    /// <summary>Hands out a steady root motion, m/s in the body's own frame.</summary>
-    private sealed class RootMotion : IBodyMovement
-    {
-        internal Vector3 Rate { get; set; }
-
-        internal float Quantum { get; init; }
-
-        public void HitGround()
-        {
-        }
-
-        public void LeaveGround()
-        {
-        }
-
-        public void AccumulateRootMotion(float quantum, ref Frame offset) => offset.Origin = RetailMath.Scale(Rate, Quantum);
-
-        public void UseTime()
-        {
-        }
-
-        public void HandleEnterWorld()
-        {
-        }
-
-        public void HandleExitWorld()
-        {
-        }
-    }
 }

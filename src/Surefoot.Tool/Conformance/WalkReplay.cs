@@ -61,7 +61,7 @@ internal sealed class WalkReplay(ICellWorld world, Func<uint, SetupAsset> setups
         PhysicsBody body = engine.CreateBody(
             MoverId, setups(WalkCase.ParseId(walk.Setup)), BodyState, WeenieTraits.Present | WeenieTraits.Player | WeenieTraits.Creature);
         all.Add(body);
-        RootMotion motion = new();
+        RecordedMotion motion = new();
         body.AttachMovement(motion);
         try
         {
@@ -73,7 +73,7 @@ internal sealed class WalkReplay(ICellWorld world, Func<uint, SetupAsset> setups
         }
     }
 
-    private static (int Steps, int Equal, Divergence? First) Replay(WalkCase walk, PhysicsBody body, RootMotion motion, bool reseat)
+    private static (int Steps, int Equal, Divergence? First) Replay(WalkCase walk, PhysicsBody body, RecordedMotion motion, bool reseat)
     {
         Position place = new(
             WalkCase.ParseId(walk.Place.Cell), new Frame(Vector(walk.Place.Pos), Quaternion.CreateFromAxisAngle(Vector3.UnitZ, walk.Place.Yaw)));
@@ -136,32 +136,4 @@ internal sealed class WalkReplay(ICellWorld world, Func<uint, SetupAsset> setups
     }
 
     private static Vector3 Vector(float[] v) => new(v[0], v[1], v[2]);
-
-    /// <summary>Hands out the recorded root motion.</summary>
-    private sealed class RootMotion : IBodyMovement
-    {
-        internal Vector3 Offset { get; set; }
-
-        public void HitGround()
-        {
-        }
-
-        public void LeaveGround()
-        {
-        }
-
-        public void AccumulateRootMotion(float quantum, ref Frame offset) => offset.Origin = Offset;
-
-        public void UseTime()
-        {
-        }
-
-        public void HandleEnterWorld()
-        {
-        }
-
-        public void HandleExitWorld()
-        {
-        }
-    }
 }
