@@ -40,22 +40,36 @@ public sealed class DemoFiles : IDisposable
 internal sealed class DemoWalk
 {
     private const uint HumanSetup = 0x02000001;
+    private readonly DemoFiles files;
     private readonly PhysicsEngine engine;
     private readonly PhysicsWorld world;
+    private readonly Position placed;
     private int frames;
 
-    internal DemoWalk(DemoFiles files, string place, CharacterStats stats, float eastward = 0, float northward = 0)
+    /// <summary>A player near a place.</summary>
+    /// <param name="files">The world.</param>
+    /// <param name="place">Name of the place.</param>
+    /// <param name="stats">The character's numbers.</param>
+    /// <param name="eastward">Metres from the place to the east.</param>
+    /// <param name="northward">Metres from the place to the north.</param>
+    /// <param name="upward">Metres from the place upwards.</param>
+    /// <param name="heading">Degrees clockwise from north; that of the place when null.</param>
+    internal DemoWalk(
+        DemoFiles files, string place, CharacterStats stats, float eastward = 0, float northward = 0, float upward = 0, float? heading = null)
     {
+        this.files = files;
         Assert.True(DemoPlaces.TryFind(place, out NamedPlace named));
         world = new PhysicsWorld(files.Cache);
         engine = new PhysicsEngine(world);
-        Position position = new(named.CellId, new Frame(named.Origin + new Vector3(eastward, northward, 0), named.Orientation));
+        placed = new(named.CellId, new Frame(named.Origin, named.Orientation));
+        Position position = new(named.CellId, new Frame(named.Origin + new Vector3(eastward, northward, upward), named.Orientation));
         if (CellIds.IsOutdoor(position.CellId)) position.AdjustToOutside();
         world.EnsureLoadedAround(position, 1);
         Player = LocalPlayer.Spawn(
             engine, 0x50000001, files.Cache.GetSetup(HumanSetup), files.Motions, position, stats, new LocalPlayerOptions { Observer = Sent })!;
         engine.Player = Player.Body;
-        Hold(MovementKeys.None, 10);
+        if (heading is { } degrees) Body.SetHeading(degrees);
+        if (upward == 0) Hold(MovementKeys.None, 10);
         Start = Player.Body.Position;
         RestHeight = Start.Frame.Origin.Z;
     }
@@ -80,6 +94,9 @@ internal sealed class DemoWalk
     /// <summary>Way from the start, metres.</summary>
     internal Vector3 Moved => Start.OffsetTo(Body.Position);
 
+    /// <summary>Way from the named place, metres.</summary>
+    internal Vector3 FromPlace => placed.OffsetTo(Body.Position);
+
     /// <summary>Holds keys for a number of frames.</summary>
     internal void Hold(MovementKeys keys, int count, Action? each = null)
     {
@@ -91,5 +108,24 @@ internal sealed class DemoWalk
             engine.Tick(Now);
             each?.Invoke();
         }
+    }
+
+    /// <summary>Turns on the spot and goes that way, degrees clockwise from north.</summary>
+    internal void Face(float heading) => Body.SetHeading(heading);
+
+    /// <summary>Spawns what the demo world wants spawned, as a server would.</summary>
+    internal List<PhysicsBody> Spawn(DemoSpawnKind kind)
+    {
+        List<PhysicsBody> spawned = [];
+        foreach (DemoSpawn spawn in DemoSpawns.All.Where(spawn => spawn.Kind == kind))
+        {
+            WeenieTraits traits = WeenieTraits.Present | (kind == DemoSpawnKind.Door ? WeenieTraits.None : WeenieTraits.Creature);
+            PhysicsBody body = engine.CreateBody(0x80000001 + (uint)spawned.Count, files.Cache.GetSetup(spawn.SetupId), PhysicsState.Default, traits);
+            Position position = new(spawn.CellId, new Frame(spawn.Origin, spawn.Orientation));
+            Assert.True(body.EnterWorld(position), spawn.Name);
+            spawned.Add(body);
+        }
+
+        return spawned;
     }
 }
