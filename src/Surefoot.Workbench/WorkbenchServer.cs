@@ -73,7 +73,8 @@ public sealed class WorkbenchServer : IAsyncDisposable
         IWorkbenchWorld? world = null;
         try
         {
-            world = new SimulatedWorld(demo ? "Demo world" : Path.GetFileName(Path.TrimEndingDirectorySeparator(dats.Folder)), dats, places, logger);
+            string name = demo ? "Demo world" : Path.GetFileName(Path.TrimEndingDirectorySeparator(dats.Folder));
+            world = new SimulatedWorld(name, dats, places, logger, demo ? DemoSpawns.All : []);
             return await StartAsync(world, options, cancellation).ConfigureAwait(false);
         }
         catch

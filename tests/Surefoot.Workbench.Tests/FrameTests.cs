@@ -16,6 +16,14 @@ public sealed class FrameTests
         12.5, 0xA9B40025, new Vector3(100, -1.5f, 20), 1, new Vector3(3, -4, 2), 5, PoseFlags.Contact | PoseFlags.OnWalkable | PoseFlags.Charging,
         new Plane(0, 0.5f, 0.75f, -20), 0.125f, 0.0625f, 2.5f, 0x44000007, 2.5f, -0.5f, -1.5f, 5);
 
+    private static readonly BodyPose[] SampleBodies =
+    [
+        new(0x80000001, BodyKind.Wanderer, BodyFlags.Airborne, "creature", 0xA9B40025, new Vector3(100, -1.5f, 20), 1, new Vector3(3, -4, 2), 1.5f,
+            new Vector3(0.5f, 0.75f, 2)),
+        new(0x80000002, BodyKind.Door, BodyFlags.Open | BodyFlags.WaitsToClose, "door", 0xA8B50034, new Vector3(1, 2, 3), -0.5f, Vector3.Zero, 1,
+            new Vector3(1.25f, 0.125f, 2.25f)),
+    ];
+
     [Fact]
     [Behaviour("workbench.frames.page-and-server-agree", "design.md, Two commands")]
     public void Page_and_server_read_and_write_the_same_bytes()
@@ -26,11 +34,14 @@ public sealed class FrameTests
         Assert.Equal(new PlayerSettings(300, 250, 7000), settings.Settings);
         Assert.True(ClientFrame.TryParse(Bytes("goto"), Places, out ClientFrame place));
         Assert.Equal(258, place.Place);
+        Assert.True(ClientFrame.TryParse(Bytes("use"), Places, out ClientFrame use));
+        Assert.Equal(new ClientFrame(FrameKind.Use), use);
 
         Assert.Equal(Bytes("welcome"), ServerFrames.Welcome(7, new PlayerSettings(300, 250, 7000), 15_000, 9, 2));
         Assert.Equal(Bytes("pose"), ServerFrames.Pose(SamplePose, 9, 10, 3));
         Assert.Equal(Bytes("others"), ServerFrames.Others(12.5, 1, [(1, default), (2, SamplePose)]));
         Assert.Equal(Bytes("event"), ServerFrames.Event(new PlayerEvent(PlayerEventKind.JumpRefused, 12.5, 2, 73)));
+        Assert.Equal(Bytes("bodies"), ServerFrames.Bodies(12.5, SampleBodies));
     }
 
     [Theory]
@@ -46,6 +57,7 @@ public sealed class FrameTests
     [InlineData("02 0000 0000 ffffffff")]
     [InlineData("03 2c01")]
     [InlineData("03 ffff")]
+    [InlineData("04 00")]
     [InlineData("81 01 07000000")]
     [InlineData("ff ffff ffff ffff ff")]
     public void A_frame_of_wrong_length_kind_or_range_is_refused(string hex) =>
@@ -57,7 +69,7 @@ public sealed class FrameTests
         Gen.Byte.Array[0, 12].Sample(
             bytes =>
             {
-                if (bytes.Length > 0) bytes[0] &= 3;
+                if (bytes.Length > 0) bytes[0] &= 7;
                 if (!ClientFrame.TryParse(bytes, Places, out ClientFrame frame)) return true;
                 return bytes.Length <= WireLimits.LongestClientFrame && frame.Place is >= 0 and < Places
                     && frame.Settings is { RunSkill: >= 0 and <= WireLimits.MaxSkill, JumpSkill: >= 0 and <= WireLimits.MaxSkill }

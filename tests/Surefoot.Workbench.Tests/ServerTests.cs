@@ -3,6 +3,7 @@ using System.Net;
 using System.Net.Sockets;
 using System.Net.WebSockets;
 using System.Text.Json;
+using Surefoot.Workbench.Simulation;
 using Surefoot.Workbench.Tests.Support;
 using Surefoot.Workbench.Wire;
 
@@ -106,6 +107,25 @@ public sealed class ServerTests : IAsyncLifetime
     }
 
     [Fact]
+    [Behaviour("workbench.bodies.told-when-changed-and-again", "issue 4, item 10")]
+    public async Task A_page_is_told_of_bodies_at_first_when_one_changed_and_again_after_a_while()
+    {
+        await using RawPage page = await RawPage.OpenAsync(server);
+        byte[] first = await page.ReceiveAsync(FrameKind.Bodies);
+        Assert.Equal(ServerFrames.BodiesHeaderLength + ServerFrames.BodyLength + "door".Length, first.Length);
+        Assert.Equal(StandInWorld.DoorId, BinaryPrimitives.ReadUInt32LittleEndian(first.AsSpan(ServerFrames.BodiesHeaderLength)));
+        Assert.Equal("door"u8, first.AsSpan(first.Length - 4));
+        Assert.Equal(BodyFlags.None, FlagsOf(first));
+        byte[] again = await page.ReceiveAsync(FrameKind.Bodies);
+        Assert.Equal(first[9..], again[9..]);
+
+        await page.SendAsync(0x04);
+        await page.ReceiveAsync(FrameKind.Bodies, bodies => FlagsOf(bodies) == BodyFlags.Open);
+        await page.SendAsync(0x04);
+        await page.ReceiveAsync(FrameKind.Bodies, bodies => FlagsOf(bodies) == BodyFlags.None);
+    }
+
+    [Fact]
     [Behaviour("workbench.input.malformed-counted-and-dropped", "design.md")]
     public async Task Malformed_frames_are_counted_and_dropped_and_the_page_plays_on()
     {
@@ -201,6 +221,8 @@ public sealed class ServerTests : IAsyncLifetime
         Assert.True(world.Disposed);
         await Assert.ThrowsAsync<HttpRequestException>(() => http.GetAsync(server.Address));
     }
+
+    private static BodyFlags FlagsOf(byte[] bodies) => (BodyFlags)bodies[ServerFrames.BodiesHeaderLength + 5];
 
     private static float VelocityNorth(byte[] others) =>
         BinaryPrimitives.ReadSingleLittleEndian(others.AsSpan(ServerFrames.OthersHeaderLength + 36));

@@ -13,7 +13,7 @@ public sealed class SimulatedWorldTests : IDisposable
 {
     private const double Turn = 1.0 / 240;
 
-    private readonly SimulatedWorld world = new("Demo", DatSet.Open(DemoWorldCache.GetOrCreate()), KnownPlaces.Demo(), NullLogger.Instance);
+    private readonly SimulatedWorld world = new("Demo", DatSet.Open(DemoWorldCache.GetOrCreate()), KnownPlaces.Demo(), NullLogger.Instance, DemoSpawns.All);
     private double now = 100;
 
     private WorkbenchPlace Runway => world.Places.Single(place => place.Name == "The runway");

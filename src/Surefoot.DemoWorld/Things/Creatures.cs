@@ -29,7 +29,8 @@ internal static class Creatures
                 .Fill(new(-0.35, 0.3, 1.3, 0.35, 1, 2), Surfaces.Scales).Faces()),
             Meshes.Solid(DoorShape, new BoxGrid().Fill(new(-0.6, -0.06, 0, 0.6, 0.06, 2.2), Surfaces.Timber).Faces()),
             Creature(DemoIds.SmallCreatureSetup, SmallShape, 0.8f, 0.3f, [new(new(0, 0, 0.3f), 0.3f), new(new(0, 0, 0.55f), 0.3f)], []),
-            Creature(DemoIds.LargeCreatureSetup, LargeShape, 2.2f, 0.8f, [], [new(Vector3.Zero, 0.8f, 2.2f)]),
+            // Others meet its cylinder; it moves by its spheres, without which a body stays where it is.
+            Creature(DemoIds.LargeCreatureSetup, LargeShape, 2.2f, 0.8f, [new(new(0, 0, 0.8f), 0.8f), new(new(0, 0, 1.4f), 0.8f)], [new(Vector3.Zero, 0.8f, 2.2f)]),
             new Setup
             {
                 Id = DemoIds.DoorSetup,

@@ -16,6 +16,7 @@ internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters co
     private readonly ConcurrentQueue<(PageConnection Page, bool Enters)> doors = new();
     private readonly List<Seat> seats = [];
     private readonly List<(uint Id, PlayerPose Pose)> poses = [];
+    private readonly List<BodyPose> bodies = [];
     private readonly long epoch = clock.GetTimestamp();
     private int reserved;
     private uint lastId;
@@ -134,6 +135,9 @@ internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters co
             case FrameKind.Goto:
                 seat.Player.Goto(world.Places[frame.Place], now);
                 break;
+            case FrameKind.Use:
+                seat.Player.Use(now);
+                break;
         }
     }
 
@@ -150,7 +154,18 @@ internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters co
             seat.Page.Send(ServerFrames.Pose(pose, step, seat.Sequence, seats.Count));
             if (seats.Count > 1 || seat.HadCompany) seat.Page.Send(ServerFrames.Others(now, seat.Id, poses));
             seat.HadCompany = seats.Count > 1;
+            TellOfBodies(seat, now);
         }
+    }
+
+    private void TellOfBodies(Seat seat, double now)
+    {
+        world.Look(seat.Player, bodies);
+        bool repeat = step % WireLimits.RepeatEvery == 0 && bodies.Count > 0;
+        if (!repeat && seat.Bodies.SequenceEqual(bodies)) return;
+        seat.Bodies.Clear();
+        seat.Bodies.AddRange(bodies);
+        seat.Page.Send(ServerFrames.Bodies(now, bodies));
     }
 
     [LoggerMessage(Level = LogLevel.Error, Message = "Player {Player} was removed because the world refused it")]
@@ -165,6 +180,9 @@ internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters co
         public IWorkbenchPlayer Player => player;
 
         public uint Sequence { get; set; }
+
+        /// <summary>The bodies that the page was told of last.</summary>
+        public List<BodyPose> Bodies { get; } = [];
 
         /// <summary>Whether the last frame of others listed anyone; one empty frame follows the last of them.</summary>
         public bool HadCompany { get; set; }

@@ -28,6 +28,11 @@ internal interface IWorkbenchWorld : IDisposable
     /// <summary>Brings the world to <paramref name="now"/>; true when a physics step was made.</summary>
     bool Advance(double now);
 
+    /// <summary>Lists the bodies near a player that are no players, in the order of their ids.</summary>
+    /// <param name="player">Who looks.</param>
+    /// <param name="near">Is filled anew.</param>
+    void Look(IWorkbenchPlayer player, List<BodyPose> near);
+
     /// <summary>The terrain of a landblock as the physics built it, or null where there is none.</summary>
     /// <param name="block">0xXXYY.</param>
     TerrainBlock? ReadTerrain(ushort block);
@@ -51,6 +56,9 @@ internal interface IWorkbenchPlayer
 
     /// <summary>Places the player.</summary>
     void Goto(WorkbenchPlace place, double now);
+
+    /// <summary>Opens or closes the nearest door within reach, if there is one.</summary>
+    void Use(double now);
 
     /// <summary>The oldest event not yet taken.</summary>
     bool TryTakeEvent(out PlayerEvent happened);

@@ -93,6 +93,9 @@ internal sealed class SimulatedPlayer : IWorkbenchPlayer, IMovementSink
     }
 
     /// <inheritdoc/>
+    public void Use(double now) => world?.UseDoor(this, now);
+
+    /// <inheritdoc/>
     public bool TryTakeEvent(out PlayerEvent happened) => events.TryDequeue(out happened);
 
     /// <summary>What the server says arrives and the keys act; before the world's step.</summary>

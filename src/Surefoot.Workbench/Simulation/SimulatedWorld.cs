@@ -1,9 +1,12 @@
+using System.Numerics;
 using Microsoft.Extensions.Logging;
 using Surefoot.Client;
 using Surefoot.Dats;
 using Surefoot.Dats.Records;
+using Surefoot.DemoWorld;
 using Surefoot.Physics;
 using Surefoot.Physics.Assets;
+using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.World;
 
@@ -15,6 +18,10 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     private const uint HumanSetup = 0x02000001;
     private const uint HumanMotionTable = 0x09000001;
     private const int KeepRadius = 3;
+    private const ulong WandererSeed = 1;
+
+    /// <summary>How far from a player bodies are shown to it, metres.</summary>
+    private const double ShownWithin = 160;
 
     /// <summary>How long the server in this process takes to answer, seconds: enough to see that a new skill waits for it.</summary>
     private const double ServerLatency = 0.1;
@@ -25,6 +32,7 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     private readonly PhysicsEngine engine;
     private readonly SetupAsset human;
     private readonly MotionTableAsset humanMotions;
+    private readonly Inhabitants inhabitants;
     private readonly ILogger logger;
     private readonly List<SimulatedPlayer> players = [];
     private readonly HashSet<uint> broken = [];
@@ -35,10 +43,11 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     /// <param name="dats">The files; disposed with the world.</param>
     /// <param name="places">Places to go to; those in landblocks that the files lack are left out.</param>
     /// <param name="logger">Is told of landblocks that cannot be read.</param>
-    /// <exception cref="DatRecordMissingException">The region, the human setup or its motion table is missing.</exception>
+    /// <param name="spawns">Whom and what to spawn.</param>
+    /// <exception cref="DatRecordMissingException">The region, the human setup or its motion table is missing, or those of a spawn.</exception>
     /// <exception cref="DatFormatException">One of them is malformed.</exception>
     /// <exception cref="DatFolderException">There is no landblock at all.</exception>
-    public SimulatedWorld(string name, DatSet dats, IReadOnlyList<WorkbenchPlace> places, ILogger logger)
+    public SimulatedWorld(string name, DatSet dats, IReadOnlyList<WorkbenchPlace> places, ILogger logger, IReadOnlyList<DemoSpawn> spawns)
     {
         this.dats = dats;
         this.logger = logger;
@@ -48,6 +57,7 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
         engine = new PhysicsEngine(land);
         human = cache.GetSetup(HumanSetup);
         humanMotions = MotionTableLoader.Load(dats, HumanMotionTable);
+        inhabitants = new Inhabitants(engine, cache, spawns, WandererSeed);
         Places = [.. places.Where(place => dats.TryRead((place.CellId & 0xFFFF0000) | 0xFFFF, out _)).Select(OnGround)];
         if (Places.Count == 0) Places = [OnGround(KnownPlaces.Somewhere(dats))];
     }
@@ -85,6 +95,7 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     public bool Advance(double now)
     {
         foreach (SimulatedPlayer player in players) player.BeforeStep(now);
+        inhabitants.Act(now);
         if (!engine.Tick(now)) return false;
         foreach (SimulatedPlayer player in players)
         {
@@ -93,6 +104,25 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
         }
 
         return true;
+    }
+
+    /// <inheritdoc/>
+    public void Look(IWorkbenchPlayer player, List<BodyPose> near)
+    {
+        near.Clear();
+        Position from = ((SimulatedPlayer)player).Player.Body.Position;
+        foreach (Inhabitant one in inhabitants.All)
+        {
+            if (!one.Body.HasCell || one.Body.Position.DistanceTo(from) > ShownWithin) continue;
+            Position place = one.Body.Position;
+            BodyFlags flags = BodyFlags.None;
+            if (one.IsOpen) flags |= BodyFlags.Open;
+            if ((one.Body.Transient & TransientState.CheckEthereal) != 0) flags |= BodyFlags.WaitsToClose;
+            if (one.Kind != BodyKind.Door && !one.Body.HasContact) flags |= BodyFlags.Airborne;
+            near.Add(new BodyPose(
+                one.Body.Id, one.Kind, flags, one.Name, place.CellId, place.Frame.Origin, (float)(-place.Frame.Heading * Math.PI / 180.0),
+                one.Body.IsActive ? one.Body.AchievedVelocity : Vector3.Zero, one.Body.Scale, one.Size));
+        }
     }
 
     /// <inheritdoc/>
@@ -135,6 +165,9 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
 
     /// <inheritdoc/>
     public void Dispose() => dats.Dispose();
+
+    /// <summary>The nearest door within a player's reach opens, or closes.</summary>
+    internal void UseDoor(SimulatedPlayer player, double now) => inhabitants.UseDoor(player.Player.Body.Position, now);
 
     /// <summary>Loads what a player in this cell may reach; before it is put there.</summary>
     internal void LoadAround(uint cellId, int radius)

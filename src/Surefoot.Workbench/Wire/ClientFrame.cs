@@ -32,6 +32,9 @@ internal readonly record struct ClientFrame(FrameKind Kind, PlayerKeys Keys = Pl
                 if (place >= placeCount) return false;
                 frame = new ClientFrame(FrameKind.Goto, Place: place);
                 return true;
+            case FrameKind.Use when body.IsEmpty:
+                frame = new ClientFrame(FrameKind.Use);
+                return true;
             default:
                 return false;
         }

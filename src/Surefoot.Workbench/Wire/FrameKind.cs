@@ -12,6 +12,9 @@ internal enum FrameKind : byte
     /// <summary>Page → server: <c>u16 place</c>, an index into the list of places.</summary>
     Goto = 0x03,
 
+    /// <summary>Page → server, nothing more: open or close the nearest door within reach.</summary>
+    Use = 0x04,
+
     /// <summary>Server → page, once and first; see <see cref="ServerFrames.Welcome"/>.</summary>
     Welcome = 0x81,
 
@@ -23,6 +26,12 @@ internal enum FrameKind : byte
 
     /// <summary>Server → page: something that happened to the page's own player; see <see cref="ServerFrames.Event"/>.</summary>
     Event = 0x84,
+
+    /// <summary>
+    /// Server → page: the bodies near the page's player that are no players, whenever one of them changed and every <see cref="WireLimits.RepeatEvery"/>
+    /// steps; who is not listed is gone or far; see <see cref="ServerFrames.Bodies"/>.
+    /// </summary>
+    Bodies = 0x85,
 }
 
 /// <summary>The keys a player holds.</summary>
@@ -44,13 +53,16 @@ internal enum PlayerKeys : byte
 internal static class WireLimits
 {
     /// <summary>Version of the frames; a page of another version reloads itself.</summary>
-    public const byte Version = 1;
+    public const byte Version = 2;
 
     /// <summary>Longest frame a page sends, bytes.</summary>
     public const int LongestClientFrame = 9;
 
     /// <summary>Shortest physics step, seconds.</summary>
     public const float MinQuantum = 1f / 30f;
+
+    /// <summary>Steps after which what has not changed is said again: a page that is slow to read loses frames.</summary>
+    public const int RepeatEvery = 30;
 
     /// <summary>Highest skill.</summary>
     public const ushort MaxSkill = 1000;

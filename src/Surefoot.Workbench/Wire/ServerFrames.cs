@@ -1,5 +1,6 @@
 using System.Buffers.Binary;
 using System.Numerics;
+using System.Text;
 using Surefoot.Workbench.Simulation;
 
 namespace Surefoot.Workbench.Wire;
@@ -12,6 +13,10 @@ internal static class ServerFrames
     public const int EventLength = 18;
     public const int OthersHeaderLength = 11;
     public const int OtherLength = 52;
+    public const int BodiesHeaderLength = 11;
+    public const int BodyLength = 56;
+
+    private const int LongestName = 255;
 
     /// <summary>
     /// <c>u8 kind, u8 version, u32 player, u16 run, u16 jump, u32 burden, u32 capacity, u16 max skill, u32 max burden, u16 places, f32 min quantum</c>.
@@ -111,6 +116,39 @@ internal static class ServerFrames
         return bytes;
     }
 
+    /// <summary>
+    /// <c>u8 kind, f64 time, u16 count</c>, then for each <c>u32 body, u8 kind, u8 flags, u8 length of the name, u8 0, u32 cell, f32[3] position, f32 yaw,
+    /// f32[3] velocity, f32 scale, f32[3] size</c> and its name in UTF-8.
+    /// </summary>
+    public static byte[] Bodies(double time, IReadOnlyList<BodyPose> bodies)
+    {
+        byte[] bytes = new byte[BodiesHeaderLength + bodies.Sum(body => BodyLength + NameLength(body.Name))];
+        Writer to = new(bytes);
+        to.U8((byte)FrameKind.Bodies);
+        to.F64(time);
+        to.U16((ushort)bodies.Count);
+        foreach (BodyPose body in bodies)
+        {
+            to.U32(body.Id);
+            to.U8((byte)body.Kind);
+            to.U8((byte)body.Flags);
+            to.U8((byte)NameLength(body.Name));
+            to.U8(0);
+            to.U32(body.CellId);
+            to.Vector(body.Position);
+            to.F32(body.Yaw);
+            to.Vector(body.Velocity);
+            to.F32(body.Scale);
+            to.Vector(body.Size);
+            to.Text(body.Name);
+        }
+
+        return bytes;
+    }
+
+    /// <summary>Bytes of a name on the wire; one that is too long is left out.</summary>
+    private static int NameLength(string name) => Encoding.UTF8.GetByteCount(name) is <= LongestName and int length ? length : 0;
+
     private ref struct Writer(Span<byte> bytes)
     {
         private Span<byte> rest = bytes;
@@ -143,6 +181,12 @@ internal static class ServerFrames
         {
             BinaryPrimitives.WriteDoubleLittleEndian(rest, value);
             rest = rest[8..];
+        }
+
+        public void Text(string value)
+        {
+            if (NameLength(value) == 0) return;
+            rest = rest[Encoding.UTF8.GetBytes(value, rest)..];
         }
 
         public void Vector(Vector3 value)

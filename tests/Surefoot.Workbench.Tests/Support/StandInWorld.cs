@@ -8,9 +8,14 @@ namespace Surefoot.Workbench.Tests.Support;
 internal sealed class StandInWorld : IWorkbenchWorld
 {
     public const float Ground = 20f;
+    public const uint DoorId = 0x80000001;
+
+    public static readonly Vector3 DoorAt = new(101, 102, Ground);
+    public static readonly Vector3 DoorSize = new(1.2f, 0.12f, 2.2f);
 
     private readonly List<StandInPlayer> players = [];
     private double last = double.NaN;
+    private bool doorIsOpen;
 
     public string Name => "Stand-in";
 
@@ -28,7 +33,7 @@ internal sealed class StandInWorld : IWorkbenchWorld
 
     public IWorkbenchPlayer Join(uint id, PlayerSettings settings, WorkbenchPlace place, double now)
     {
-        StandInPlayer player = new(settings, place, now);
+        StandInPlayer player = new(settings, place, now, () => doorIsOpen = !doorIsOpen);
         players.Add(player);
         return player;
     }
@@ -43,6 +48,12 @@ internal sealed class StandInWorld : IWorkbenchWorld
         last = now;
         foreach (StandInPlayer player in players) player.Step(quantum, now);
         return true;
+    }
+
+    public void Look(IWorkbenchPlayer player, List<BodyPose> near)
+    {
+        near.Clear();
+        near.Add(new BodyPose(DoorId, BodyKind.Door, doorIsOpen ? BodyFlags.Open : BodyFlags.None, "door", 0xA9B40025, DoorAt, 0.5f, Vector3.Zero, 1, DoorSize));
     }
 
     public TerrainBlock? ReadTerrain(ushort block)
@@ -60,7 +71,7 @@ internal sealed class StandInWorld : IWorkbenchWorld
 
     public void Dispose() => Disposed = true;
 
-    private sealed class StandInPlayer(PlayerSettings settings, WorkbenchPlace place, double joined) : IWorkbenchPlayer
+    private sealed class StandInPlayer(PlayerSettings settings, WorkbenchPlace place, double joined, Action use) : IWorkbenchPlayer
     {
         private readonly Queue<PlayerEvent> events = [];
         private PlayerSettings settings = settings;
@@ -84,6 +95,8 @@ internal sealed class StandInWorld : IWorkbenchWorld
 
         public void Goto(WorkbenchPlace where, double time) =>
             Pose = Pose with { CellId = where.CellId, Position = where.Position, Yaw = where.Yaw, Teleports = (byte)(Pose.Teleports + 1) };
+
+        public void Use(double now) => use();
 
         public bool TryTakeEvent(out PlayerEvent happened) => events.TryDequeue(out happened);
 

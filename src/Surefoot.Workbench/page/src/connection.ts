@@ -1,6 +1,6 @@
 // The socket: sends what the person asks, hands out what the server says, and comes back by itself when the server does.
 
-import { decode, encodeGoto, encodeInput, encodeSettings, wireVersion, type ServerFrame } from "./wire";
+import { decode, encodeGoto, encodeInput, encodeSettings, encodeUse, wireVersion, type ServerFrame } from "./wire";
 
 export type ConnectionState = "connecting" | "open" | "lost" | "full";
 
@@ -46,6 +46,10 @@ export class Connection {
 
   sendGoto(place: number): void {
     this.send(encodeGoto(place));
+  }
+
+  sendUse(): void {
+    this.send(encodeUse());
   }
 
   /** Sends bytes as they are; for tests of the server. */

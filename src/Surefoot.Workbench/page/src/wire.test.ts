@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import samples from "./wire.samples.json";
-import { decode, encodeGoto, encodeInput, encodeSettings } from "./wire";
+import { decode, encodeGoto, encodeInput, encodeSettings, encodeUse } from "./wire";
 
 const bytes = (hex: string): ArrayBuffer =>
   Uint8Array.from(hex.replaceAll(" ", "").match(/../g) ?? [], (pair) => parseInt(pair, 16)).buffer;
@@ -11,6 +11,7 @@ describe("frames of the page", () => {
     expect(encodeInput(samples.input.keys, samples.input.sequence)).toEqual(bytes(samples.input.hex));
     expect(encodeSettings(samples.settings.runSkill, samples.settings.jumpSkill, samples.settings.burden)).toEqual(bytes(samples.settings.hex));
     expect(encodeGoto(samples.goto.place)).toEqual(bytes(samples.goto.hex));
+    expect(encodeUse()).toEqual(bytes(samples.use.hex));
   });
 });
 
@@ -24,12 +25,14 @@ describe("frames of the server", () => {
     const other = samples.others.player;
     const player = { ...other, time: samples.others.time, position: vec(other.position), velocity: vec(other.velocity) };
     expect(decode(bytes(samples.others.hex))).toEqual({ kind: "others", time: samples.others.time, players: [player] });
+    const bodies = samples.bodies.bodies.map((one) => ({ ...one, position: vec(one.position), velocity: vec(one.velocity), size: vec(one.size) }));
+    expect(decode(bytes(samples.bodies.hex))).toEqual({ kind: "bodies", time: samples.bodies.time, bodies });
     const { hex: eventHex, ...event } = samples.event;
     expect(decode(bytes(eventHex))).toEqual({ kind: "event", ...event });
   });
 
   it("are refused when their length is wrong", () => {
-    for (const hex of [samples.welcome.hex, samples.pose.hex, samples.others.hex, samples.event.hex]) {
+    for (const hex of [samples.welcome.hex, samples.pose.hex, samples.others.hex, samples.event.hex, samples.bodies.hex]) {
       const whole = bytes(hex);
       for (let length = 0; length < whole.byteLength; length++) expect(decode(whole.slice(0, length))).toBeNull();
     }

@@ -1,6 +1,6 @@
 // The frames between this page and the server; `Wire/` in the server's source says the same. All numbers are little-endian.
 
-export const wireVersion = 1;
+export const wireVersion = 2;
 
 export const Key = {
   Forward: 1,
@@ -82,6 +82,31 @@ export interface Others {
   players: OtherPose[];
 }
 
+export const BodyType = { Guard: 1, Wanderer: 2, Crowd: 3, Door: 4 } as const;
+
+export const BodyFlag = { Open: 1, WaitsToClose: 2, Airborne: 4 } as const;
+
+/** A body that is no player. Size: extent of its collision shape along its own axes, metres. */
+export interface BodyPose {
+  body: number;
+  type: number;
+  flags: number;
+  name: string;
+  cell: number;
+  position: Vec3;
+  yaw: number;
+  velocity: Vec3;
+  scale: number;
+  size: Vec3;
+}
+
+/** All the bodies near the player. */
+export interface Bodies {
+  kind: "bodies";
+  time: number;
+  bodies: BodyPose[];
+}
+
 export interface PlayerEvent {
   kind: "event";
   event: number;
@@ -90,9 +115,9 @@ export interface PlayerEvent {
   code: number;
 }
 
-export type ServerFrame = Welcome | OwnPose | Others | PlayerEvent;
+export type ServerFrame = Welcome | OwnPose | Others | PlayerEvent | Bodies;
 
-const lengths = { welcome: 30, pose: 102, othersHeader: 11, other: 52, event: 18 };
+const lengths = { welcome: 30, pose: 102, othersHeader: 11, other: 52, event: 18, bodiesHeader: 11, body: 56 };
 
 export function encodeInput(keys: number, sequence: number): ArrayBuffer {
   const view = new DataView(new ArrayBuffer(6));
@@ -118,6 +143,10 @@ export function encodeGoto(place: number): ArrayBuffer {
   return view.buffer;
 }
 
+export function encodeUse(): ArrayBuffer {
+  return new Uint8Array([0x04]).buffer;
+}
+
 /** Reads a frame of the server; null for one this page does not know. */
 export function decode(buffer: ArrayBuffer): ServerFrame | null {
   const read = new Reader(buffer);
@@ -131,6 +160,8 @@ export function decode(buffer: ArrayBuffer): ServerFrame | null {
       return buffer.byteLength >= lengths.othersHeader ? decodeOthers(read, buffer.byteLength) : null;
     case 0x84:
       return buffer.byteLength === lengths.event ? decodeEvent(read) : null;
+    case 0x85:
+      return buffer.byteLength >= lengths.bodiesHeader ? decodeBodies(read) : null;
     default:
       return null;
   }
@@ -198,9 +229,34 @@ function decodeOthers(read: Reader, length: number): Others | null {
   return { kind: "others", time, players };
 }
 
+function decodeBodies(read: Reader): Bodies | null {
+  const time = read.f64();
+  const count = read.u16();
+  const bodies: BodyPose[] = [];
+  for (let i = 0; i < count; i++) {
+    if (read.left < lengths.body) return null;
+    const body = read.u32();
+    const type = read.u8();
+    const flags = read.u8();
+    const nameLength = read.u8();
+    read.u8();
+    const cell = read.u32();
+    const position = read.vec3();
+    const yaw = read.f32();
+    const velocity = read.vec3();
+    const scale = read.f32();
+    const size = read.vec3();
+    if (read.left < nameLength) return null;
+    bodies.push({ body, type, flags, name: read.text(nameLength), cell, position, yaw, velocity, scale, size });
+  }
+  return read.left === 0 ? { kind: "bodies", time, bodies } : null;
+}
+
 function decodeEvent(read: Reader): PlayerEvent {
   return { kind: "event", event: read.u8(), time: read.f64(), value: read.f32(), code: read.u32() };
 }
+
+const utf8 = new TextDecoder();
 
 class Reader {
   private readonly view: DataView;
@@ -208,6 +264,16 @@ class Reader {
 
   constructor(buffer: ArrayBuffer) {
     this.view = new DataView(buffer);
+  }
+
+  /** Bytes not yet read. */
+  get left(): number {
+    return this.view.byteLength - this.at;
+  }
+
+  text(length: number): string {
+    this.at += length;
+    return utf8.decode(new Uint8Array(this.view.buffer, this.at - length, length));
   }
 
   u8(): number {
