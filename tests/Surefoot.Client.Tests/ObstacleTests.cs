@@ -88,6 +88,33 @@ public sealed class ObstacleTests(DemoFiles files) : IClassFixture<DemoFiles>
         Assert.True(highest > walk.RestHeight + 2, $"rose {highest - walk.RestHeight} m");
     }
 
+    [Theory]
+    [Behaviour("obstacles.seam-between-two-stairs", "spec/03, 4.7 step_up and step_down")]
+    [InlineData(0)]
+    [InlineData(100)]
+    [InlineData(300)]
+    [InlineData(800)]
+    public void The_seam_between_two_stair_objects_is_run_over_up_and_down_with_the_ground_under_the_feet(int runSkill)
+    {
+        // 24 steps of 0.25 m in two objects that meet 3 m up, and a platform of 5 m.
+        DemoWalk up = new(files, "long-stair", new CharacterStats(runSkill, 200));
+        float last = up.Z;
+        for (int frame = 0; frame < 300 && up.Moved.Y < 5 + 7.2f + 1; frame++)
+        {
+            up.Hold(MovementKeys.Forward, 1);
+            Assert.True(up.Body.OnWalkable, $"lost the ground at {up.Moved}");
+            Assert.True(up.Z >= last - 0.001f, $"sank from {last} to {up.Z} at {up.Moved}");
+            last = up.Z;
+        }
+
+        Assert.Equal(6, up.Moved.Z, 0.01);
+
+        DemoWalk down = new(files, "platform", new CharacterStats(runSkill, 200));
+        down.Hold(MovementKeys.Forward, 150, () => Assert.True(down.Body.OnWalkable, $"lost the ground at {down.Moved}"));
+        Assert.Equal(-6, down.Moved.Z, 0.01);
+        Assert.True(down.Moved.Y < -10);
+    }
+
     [Fact]
     [Behaviour("obstacles.standing-indoors-never-moves", "spec/02, 4.4 step 6")]
     public void Standing_still_indoors_moves_by_no_bit_in_ten_thousand_steps()
