@@ -1,3 +1,4 @@
+using System.Numerics;
 using BenchmarkDotNet.Attributes;
 using Surefoot.Client;
 
@@ -7,21 +8,31 @@ namespace Surefoot.Bench;
 [MemoryDiagnoser]
 public class StepBenchmarks
 {
+    private static readonly Dictionary<string, DemoAct> Acts = new()
+    {
+        ["flat"] = new("runway", MovementKeys.Forward),
+        ["hills"] = new("hills", MovementKeys.Forward),
+        ["unwalkable slope"] = new("slope-50", MovementKeys.Forward),
+        ["falling"] = new("meadow", MovementKeys.None) { Offset = new(0, 30), Airborne = Vector3.Zero },
+        ["forest"] = new("forest", MovementKeys.Forward),
+        ["town"] = new("town", MovementKeys.Forward),
+        ["stairs"] = new("long-stair", MovementKeys.Forward) { Steps = 45 },
+        ["corridor"] = new("dungeon-corridor", MovementKeys.Forward) { Steps = 90 },
+        ["jump through a doorway"] = new("house-door", MovementKeys.Forward) { Offset = new(2, 0.05f), Airborne = new(0, 9, 1.5f), Steps = 20 },
+    };
+
     private DemoScene scene = null!;
 
+    /// <summary>The scenes.</summary>
+    public static IEnumerable<string> Scenes => Acts.Keys;
+
     /// <summary>What the player does.</summary>
-    [Params("flat", "hills", "unwalkable slope", "falling")]
+    [ParamsSource(nameof(Scenes))]
     public string Scene { get; set; } = "flat";
 
     /// <summary>Puts the player in its place.</summary>
     [GlobalSetup]
-    public void Setup() => scene = Scene switch
-    {
-        "flat" => new DemoScene("runway", MovementKeys.Forward),
-        "hills" => new DemoScene("hills", MovementKeys.Forward),
-        "unwalkable slope" => new DemoScene("slope-50", MovementKeys.Forward),
-        _ => new DemoScene("meadow", MovementKeys.None, height: 30),
-    };
+    public void Setup() => scene = new DemoScene(Acts[Scene]);
 
     /// <summary>Takes it out again.</summary>
     [GlobalCleanup]

@@ -23,6 +23,34 @@ public sealed class AllocationTests(DemoFiles files) : IClassFixture<DemoFiles>
         Assert.Equal(0, Allocated(() => Step(walk)));
     }
 
+    [Theory]
+    [Behaviour("performance.step-among-obstacles-allocates-nothing", "design.md, decision 4")]
+    [InlineData("forest", MovementKeys.Forward)]
+    [InlineData("town", MovementKeys.Forward)]
+    [InlineData("long-stair", MovementKeys.Forward)]
+    [InlineData("dungeon-corridor", MovementKeys.Forward)]
+    [InlineData("dungeon-pillars", MovementKeys.Forward | MovementKeys.TurnRight)]
+    [InlineData("house-stairs", MovementKeys.Forward)]
+    public void A_player_among_obstacles_allocates_nothing(string place, MovementKeys keys)
+    {
+        DemoWalk walk = new(files, place, new CharacterStats(300, 300));
+        BodySeat start = SeatOf(walk.Body, walk.Position, Vector3.Zero, walk.Body.Transient);
+        walk.Hold(keys, 2);
+        Assert.Equal(0, Allocated(Repeated(walk, start, 50)));
+    }
+
+    [Fact]
+    [Behaviour("performance.crowd-allocates-nothing", "design.md, decision 4")]
+    public void A_crowd_whose_members_run_into_each_other_allocate_nothing()
+    {
+        DemoWalk walk = new(files, "meadow", new CharacterStats(100, 100));
+        List<PhysicsBody> crowd = walk.SpawnRunners(40, spacing: 1.3f);
+        Assert.Equal(40, crowd.Count);
+        // The lists of who is in a cell, and of who touches whom, first grow to their greatest length.
+        for (int i = 0; i < 600; i++) walk.Tick();
+        Assert.Equal(0, Allocated(walk.Tick));
+    }
+
     [Fact]
     [Behaviour("performance.fall-allocates-nothing", "design.md, decision 4")]
     public void A_falling_body_allocates_nothing()
@@ -30,18 +58,43 @@ public sealed class AllocationTests(DemoFiles files) : IClassFixture<DemoFiles>
         DemoWalk walk = new(files, "meadow", new CharacterStats(300, 300));
         Position high = walk.Position;
         high.Frame.Origin += new Vector3(0, 0, 40);
-        BodySeat seat = new(high, Vector3.Zero, TransientState.None, default, 0, Vector3.Zero);
-        int count = 0;
-        void Fall()
+        Assert.Equal(0, Allocated(Repeated(walk, SeatOf(walk.Body, high, Vector3.Zero, TransientState.None), 100)));
+    }
+
+    [Fact]
+    [Behaviour("performance.jump-through-a-doorway-allocates-nothing", "design.md, decision 4")]
+    public void A_jump_through_a_doorway_allocates_nothing()
+    {
+        // From 2 m before the door into the hall: the body changes from the land to a building's room and back.
+        DemoWalk walk = new(files, "house-door", new CharacterStats(300, 300));
+        Position before = walk.Position;
+        before.Frame.Origin += new Vector3(0, 2, 0.05f);
+        HashSet<uint> cells = [];
+        Action jump = Repeated(walk, SeatOf(walk.Body, before, new Vector3(0, 9, 1.5f), TransientState.None), 20);
+        for (int i = 0; i < 20; i++)
         {
-            if (count++ % 100 == 0) walk.Body.Seat(seat);
-            walk.Body.SetActive(true);
-            walk.Body.Step(1f / 30);
+            jump();
+            cells.Add(walk.Position.CellId & 0xFFFF);
         }
 
-        for (int i = 0; i < Steps; i++) Fall();
-        Assert.Equal(0, Allocated(Fall));
+        Assert.Contains(0x100u, cells);
+        Assert.Equal(0, Allocated(jump));
     }
+
+    /// <summary>Steps that begin again from a seat every so often.</summary>
+    private static Action Repeated(DemoWalk walk, BodySeat seat, int period)
+    {
+        int count = 0;
+        return () =>
+        {
+            if (count++ % period == 0) walk.Body.Seat(seat);
+            walk.Body.SetActive(true);
+            walk.Body.Step(1f / 30);
+        };
+    }
+
+    private static BodySeat SeatOf(PhysicsBody body, in Position position, Vector3 velocity, TransientState bits) =>
+        new(position, velocity, bits, body.ContactPlane, body.ContactPlaneCellId, Vector3.Zero);
 
     private static void Step(DemoWalk walk) => walk.Body.Step(1f / 30);
 

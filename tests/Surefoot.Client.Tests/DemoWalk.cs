@@ -128,4 +128,32 @@ internal sealed class DemoWalk
 
         return spawned;
     }
+
+    /// <summary>Spawns humans around the player who run in circles, in rows of twenty.</summary>
+    internal List<PhysicsBody> SpawnRunners(int count, float spacing)
+    {
+        List<PhysicsBody> runners = [];
+        for (int i = 0; i < count; i++)
+        {
+            PhysicsBody body = engine.CreateBody(0x80000001 + (uint)i, files.Cache.GetSetup(HumanSetup), weenie: WeenieTraits.Present | WeenieTraits.Creature);
+            MovementManager movement = new(body, files.Motions, new PlayerWeenie(new CharacterStats(100, 100)));
+            body.AttachMovement(movement);
+            Vector3 aside = new(spacing * ((i % 20) - 10), spacing * ((i / 20) + 2), 0);
+            Position position = new(Start.CellId, new Frame(Start.Frame.Origin + aside, Start.Frame.Rotation));
+            position.AdjustToOutside();
+            Assert.True(body.EnterWorld(position));
+            movement.DoMotion(MotionCommand.WalkForward, new MovementParameters());
+            movement.DoMotion(i % 2 == 0 ? MotionCommand.TurnRight : MotionCommand.TurnLeft, new MovementParameters());
+            runners.Add(body);
+        }
+
+        return runners;
+    }
+
+    /// <summary>A frame of the world without any keys.</summary>
+    internal void Tick()
+    {
+        frames++;
+        Assert.True(engine.Tick(Now));
+    }
 }
