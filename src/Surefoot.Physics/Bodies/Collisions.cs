@@ -19,7 +19,7 @@ public sealed partial class PhysicsBody
     /// <summary>Reports, then bounces or stops, then keeps count of failed moves.</summary>
     /// <returns>True when something was reported.</returns>
     /// <remarks>Retail: CPhysicsObj::handle_all_collisions @0x00514780. Reports see the velocity before the bounce.</remarks>
-    private bool HandleAllCollisions(CollisionInfo info, bool hadContact, bool hadWalkable, double simulatedTime)
+    internal bool HandleAllCollisions(CollisionInfo info, bool hadContact, bool hadWalkable, double simulatedTime)
     {
         bool nowWalkable = OnWalkable;
         bool mayBounce = !hadWalkable || !nowWalkable || State.Has(PhysicsState.Sledding);
@@ -41,7 +41,7 @@ public sealed partial class PhysicsBody
     }
 
     /// <summary>Reflects the velocity into the obstacle, nearly all of it lost.</summary>
-    private void Bounce(in Vector3 normal)
+    internal void Bounce(in Vector3 normal)
     {
         if (State.Has(PhysicsState.Inelastic))
         {
@@ -106,6 +106,17 @@ public sealed partial class PhysicsBody
         collidingWithEnvironment = true;
         if (State.Has(PhysicsState.Missile)) State &= ~MissileBits;
         return reported;
+    }
+
+    /// <summary>Reports again whatever the body touches.</summary>
+    /// <remarks>Retail: CPhysicsObj::report_collision_start @0x00513FD0.</remarks>
+    private void ReportCollisionStart()
+    {
+        if (touching is null) return;
+        foreach (uint id in touching.Keys)
+        {
+            if (engine.Find(id) is { } other) ReportObjectCollision(other, HasContact);
+        }
     }
 
     /// <summary>Ends the records of objects not touched for a second, of ethereal ones at once.</summary>

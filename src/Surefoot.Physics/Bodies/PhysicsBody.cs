@@ -165,10 +165,6 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody
         omega = value;
     }
 
-    /// <summary>Stores a new state word. Gravity takes effect at the next commit or change of ground.</summary>
-    /// <remarks>Retail: CPhysicsObj::set_state @0x00514DD0.</remarks>
-    public void SetState(PhysicsState value) => State = value;
-
     /// <summary>Sets what the server says of the body.</summary>
     public void SetWeenie(WeenieTraits value) => Weenie = value;
 

@@ -1,4 +1,3 @@
-using Surefoot.Physics.Transitions;
 using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Bodies;
@@ -44,43 +43,6 @@ public sealed partial class PhysicsBody
     {
         PositionManager?.Stop();
         ReportCollisionEnd(updateTime, force: true);
-    }
-
-    /// <summary>Makes the body let others through, or solid again as soon as nothing overlaps it.</summary>
-    /// <returns>False when it has to wait.</returns>
-    /// <remarks>Retail: CPhysicsObj::set_ethereal @0x00511C40.</remarks>
-    public bool SetEthereal(bool on)
-    {
-        if (on)
-        {
-            State |= PhysicsState.Ethereal;
-            Transient &= ~TransientState.CheckEthereal;
-            return true;
-        }
-
-        State &= ~PhysicsState.Ethereal;
-        if (Parent is not null || Cell is null || !engine.World.AnyOverlaps(this))
-        {
-            Transient &= ~TransientState.CheckEthereal;
-            return true;
-        }
-
-        State |= PhysicsState.Ethereal;
-        Transient |= TransientState.CheckEthereal;
-        return false;
-    }
-
-    /// <summary>Would <paramref name="target"/> be hit by this body where it stands?</summary>
-    /// <remarks>Retail: CPhysicsObj::check_collision @0x00512ED0.</remarks>
-    internal bool Overlaps(WorldObject target)
-    {
-        if (State.Has(PhysicsState.Static)) return false;
-        if (!engine.Transitions.TryRent(out Transition? transition)) return false;
-        SeedMover(transition, SeedContact(transition));
-        transition.Path.InitPath(Cell, hasBegin: true, PositionField, PositionField);
-        bool hit = transition.CheckCollisions(target);
-        engine.Transitions.Return();
-        return hit;
     }
 
     /// <summary>The landblock that holds the body's cell goes away; the body waits for it.</summary>

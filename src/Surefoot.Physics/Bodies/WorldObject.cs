@@ -17,8 +17,7 @@ public partial class WorldObject
     {
         Id = id;
         Setup = setup;
-        // Computed when the parts are made, whatever the word says (specification 06, 2).
-        State = setup is { HasPhysicsBsp: true } ? state | PhysicsState.HasPhysicsBsp : state & ~PhysicsState.HasPhysicsBsp;
+        State = WithShapeBit(state);
     }
 
     /// <summary>Object id.</summary>
@@ -70,6 +69,11 @@ public partial class WorldObject
 
     /// <summary>Where it is, for those who move it.</summary>
     private protected Position PositionField = Position.Nowhere;
+
+    /// <summary>A state word whose <see cref="PhysicsState.HasPhysicsBsp"/> says what the parts have: never what a setup's flags or a server's word say.</summary>
+    /// <remarks>Retail: CPhysicsObj::CacheHasPhysicsBSP @0x0050F570; specification 06, 2.</remarks>
+    private protected PhysicsState WithShapeBit(PhysicsState word) =>
+        Setup is { HasPhysicsBsp: true } ? word | PhysicsState.HasPhysicsBsp : word & ~PhysicsState.HasPhysicsBsp;
 
     /// <summary>Seats the object without any test.</summary>
     internal void SeatAt(in Position position, ObjCell? cell)

@@ -1,0 +1,82 @@
+using Surefoot.Physics.Transitions;
+
+namespace Surefoot.Physics.Bodies;
+
+/// <content>The state word and what its changes bring about.</content>
+public sealed partial class PhysicsBody
+{
+    /// <summary>Stores a new state word. Gravity takes effect at the next commit or change of ground; hiding and showing do at once.</summary>
+    /// <param name="value">The word; its <see cref="PhysicsState.HasPhysicsBsp"/> is replaced by what the body's parts have.</param>
+    /// <remarks>Retail: CPhysicsObj::set_state @0x00514DD0.</remarks>
+    public void SetState(PhysicsState value)
+    {
+        bool wasHidden = State.Has(PhysicsState.Hidden), isHidden = value.Has(PhysicsState.Hidden);
+        State = WithShapeBit(value);
+        if (wasHidden != isHidden) SetHidden(isHidden);
+    }
+
+    /// <summary>Hides the body, which then neither moves by itself nor collides with anybody's notice, or shows it again.</summary>
+    /// <remarks>Retail: CPhysicsObj::set_hidden @0x00514C60.</remarks>
+    public void SetHidden(bool on)
+    {
+        if (on)
+        {
+            State |= PhysicsState.Hidden;
+            if (State.Has(PhysicsState.ReportCollisions))
+            {
+                ReportCollisionEnd(updateTime, force: true);
+                State &= ~PhysicsState.ReportCollisions;
+            }
+
+            State |= PhysicsState.IgnoreCollisions;
+        }
+        else
+        {
+            State &= ~(PhysicsState.Hidden | PhysicsState.IgnoreCollisions);
+            if (!State.Has(PhysicsState.ReportCollisions))
+            {
+                State |= PhysicsState.ReportCollisions;
+                ReportCollisionStart();
+            }
+        }
+
+        Movement?.HandleEnterWorld();
+    }
+
+    /// <summary>Makes the body let others through, or solid again as soon as nothing overlaps it.</summary>
+    /// <returns>False when it has to wait.</returns>
+    /// <remarks>Retail: CPhysicsObj::set_ethereal @0x00511C40.</remarks>
+    public bool SetEthereal(bool on)
+    {
+        if (on)
+        {
+            State |= PhysicsState.Ethereal;
+            Transient &= ~TransientState.CheckEthereal;
+            return true;
+        }
+
+        State &= ~PhysicsState.Ethereal;
+        if (Parent is not null || Cell is null || !engine.World.AnyOverlaps(this))
+        {
+            Transient &= ~TransientState.CheckEthereal;
+            return true;
+        }
+
+        State |= PhysicsState.Ethereal;
+        Transient |= TransientState.CheckEthereal;
+        return false;
+    }
+
+    /// <summary>Would <paramref name="target"/> be hit by this body where it stands?</summary>
+    /// <remarks>Retail: CPhysicsObj::check_collision @0x00512ED0.</remarks>
+    internal bool Overlaps(WorldObject target)
+    {
+        if (State.Has(PhysicsState.Static)) return false;
+        if (!engine.Transitions.TryRent(out Transition? transition)) return false;
+        SeedMover(transition, SeedContact(transition));
+        transition.Path.InitPath(Cell, hasBegin: true, PositionField, PositionField);
+        bool hit = transition.CheckCollisions(target);
+        engine.Transitions.Return();
+        return hit;
+    }
+}

@@ -1,0 +1,167 @@
+using System.Numerics;
+using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Transitions;
+
+namespace Surefoot.Physics.Tests.Bodies;
+
+/// <summary>Bounces, the environment latch, masks, and who is told of what: specification 02, 4.14, 4.15, 6.8, 6.12 and 6.13.</summary>
+public class CollisionReportTests
+{
+    private const WeenieTraits Creature = WeenieTraits.Present | WeenieTraits.Creature;
+
+    public static TheoryData<Vector3, Vector3, float, bool, Vector3> Bounces => new()
+    {
+        { new(3, 0, -8), Vector3.UnitZ, 0.05f, false, new(3, 0, 0.399999619f) },
+        { new(0, 5, -8), new(0, -0.6f, 0.8f), 0.05f, false, new(0, -0.922000408f, -0.103999615f) },
+        { new(6, 2, 0), -Vector3.UnitX, 0.05f, false, new(-0.300000012f, 2, 0) },
+        { new(6, 2, 0), -Vector3.UnitX, 0.1f, false, new(-0.600000024f, 2, 0) },
+        { new(0, 0, 4), Vector3.UnitZ, 0.05f, false, new(0, 0, 4) },
+        { new(3, 0, -8), Vector3.UnitZ, 0.05f, true, Vector3.Zero },
+    };
+
+    [Theory, MemberData(nameof(Bounces)), Behaviour("body.bounce.table", "spec/02, 6.8")]
+    public void A_velocity_into_a_surface_is_reflected_by_the_elasticity(Vector3 velocity, Vector3 normal, float elasticity, bool inelastic, Vector3 expected)
+    {
+        BodyFixture f = new(inelastic ? PhysicsState.Default | PhysicsState.Inelastic : PhysicsState.Default);
+        f.Body.SetElasticity(elasticity);
+        f.Seat(new(12, 12, 10), velocity, TransientState.None);
+        f.Body.Bounce(normal);
+        Assert.Equal(expected, f.Body.Velocity);
+    }
+
+    [Fact, Behaviour("body.reports.environment-latch", "spec/02, 6.12")]
+    public void The_environment_is_reported_when_a_touch_begins_and_not_while_it_lasts()
+    {
+        (BodyFixture f, Witness witness) = Witnessed();
+        f.Seat(new(12, 12, 10), Vector3.Zero, TransientState.None);
+        int[] touches = [1, 1, 1, 0, 1, 0, 0], reports = [1, 0, 0, 0, 1, 0, 0];
+        for (int i = 0; i < touches.Length; i++)
+        {
+            int before = witness.Environments;
+            f.Body.HandleAllCollisions(Touching(touches[i] == 1), hadContact: false, hadWalkable: false, simulatedTime: i);
+            Assert.Equal(reports[i], witness.Environments - before);
+        }
+    }
+
+    [Fact, Behaviour("body.reports.landing", "spec/02, 6.12")]
+    public void A_landing_is_reported_even_when_the_step_met_no_environment()
+    {
+        (BodyFixture f, Witness witness) = Witnessed();
+        f.Seat(new(12, 12, 0), Vector3.Zero, BodyFixture.Standing);
+        f.Body.HandleAllCollisions(Touching(false), hadContact: false, hadWalkable: false, simulatedTime: 0);
+        Assert.Equal(1, witness.Environments);
+        f.Body.HandleAllCollisions(Touching(false), hadContact: true, hadWalkable: true, simulatedTime: 0);
+        Assert.Equal(1, witness.Environments);
+    }
+
+    [Fact, Behaviour("body.missile.masks", "spec/02, 6.13")]
+    public void A_missile_that_has_hit_is_no_missile_any_more()
+    {
+        BodyFixture f = new((PhysicsState)0x00400F48);
+        f.Seat(new(12, 12, 10), Vector3.Zero, TransientState.None);
+        f.Body.HandleAllCollisions(Touching(true), hadContact: false, hadWalkable: false, simulatedTime: 0);
+        Assert.Equal((PhysicsState)0x00400C08, f.Body.State);
+    }
+
+    [Theory, Behaviour("body.stationary-fall.masks", "spec/02, 6.13")]
+    [InlineData(0xF3, 0, 0x83)]
+    [InlineData(0xF3, 2, 0xF3)]
+    [InlineData(0xF3, 3, 0x83)]
+    [InlineData(0x83, 1, 0x93)]
+    [InlineData(0x93, 2, 0xB3)]
+    public void The_stationary_bits_follow_the_counter(int before, int counter, int after)
+    {
+        BodyFixture f = new();
+        f.Seat(new(12, 12, 0), Vector3.Zero, (TransientState)before);
+        CollisionInfo info = Touching(false);
+        info.FramesStationaryFall = counter;
+        f.Body.HandleAllCollisions(info, hadContact: true, hadWalkable: true, simulatedTime: 0);
+        Assert.Equal((TransientState)after, f.Body.Transient);
+    }
+
+    [Fact, Behaviour("body.leave-world.masks", "spec/02, 6.13 and 2.3")]
+    public void Leaving_the_world_clears_every_transient_bit()
+    {
+        BodyFixture f = new();
+        f.Seat(new(12, 12, 0), Vector3.Zero, (TransientState)0x1FF);
+        f.Body.LeaveWorld();
+        Assert.Equal(TransientState.None, f.Body.Transient);
+    }
+
+    [Fact, Behaviour("body.reports.object-once-a-second", "spec/02, 4.15")]
+    public void An_object_is_reported_once_and_its_end_a_second_after_the_last_touch()
+    {
+        (BodyFixture f, Witness witness) = Witnessed();
+        PhysicsBody other = f.Engine.CreateBody(2, null, PhysicsState.Default, Creature);
+        f.Seat(new(12, 12, 0), Vector3.Zero, BodyFixture.Standing);
+        CollisionInfo touch = Touching(false);
+        touch.AddObject(other, TransitionState.Collided);
+        f.Body.HandleAllCollisions(touch, hadContact: true, hadWalkable: true, simulatedTime: 1);
+        f.Body.HandleAllCollisions(touch, hadContact: true, hadWalkable: true, simulatedTime: 1.5);
+        Assert.Equal([2u], witness.Objects);
+        f.Body.HandleAllCollisions(Touching(false), hadContact: true, hadWalkable: true, simulatedTime: 2.5);
+        Assert.Empty(witness.Ends);
+        f.Body.HandleAllCollisions(Touching(false), hadContact: true, hadWalkable: true, simulatedTime: 2.51);
+        Assert.Equal([2u], witness.Ends);
+    }
+
+    [Fact, Behaviour("body.hidden.reports-nothing", "spec/02, 4.18 set_hidden")]
+    public void A_body_that_is_hidden_ends_its_touches_and_one_that_is_shown_reports_again()
+    {
+        (BodyFixture f, Witness witness) = Witnessed();
+        PhysicsBody other = f.Engine.CreateBody(2, null, PhysicsState.Default, Creature);
+        f.Seat(new(12, 12, 0), Vector3.Zero, BodyFixture.Standing);
+        CollisionInfo touch = Touching(false);
+        touch.AddObject(other, TransitionState.Collided);
+        f.Body.HandleAllCollisions(touch, hadContact: true, hadWalkable: true, simulatedTime: 1);
+        f.Body.SetState(f.Body.State | PhysicsState.Hidden);
+        Assert.Equal([2u], witness.Ends);
+        Assert.Equal(PhysicsState.IgnoreCollisions, f.Body.State & (PhysicsState.IgnoreCollisions | PhysicsState.ReportCollisions));
+
+        // Touches go on being noted while nothing is told; showing tells them.
+        f.Body.HandleAllCollisions(touch, hadContact: true, hadWalkable: true, simulatedTime: 2);
+        Assert.Equal([2u], witness.Objects);
+        f.Body.SetState(f.Body.State & ~PhysicsState.Hidden);
+        Assert.Equal([2u, 2u], witness.Objects);
+        Assert.Equal(PhysicsState.ReportCollisions, f.Body.State & (PhysicsState.IgnoreCollisions | PhysicsState.ReportCollisions));
+    }
+
+    [Fact, Behaviour("body.state.shape-bit-comes-from-the-parts", "spec/06, 2")]
+    public void A_state_word_from_a_server_does_not_say_whether_the_parts_have_a_tree()
+    {
+        BodyFixture f = new();
+        f.Body.SetState(PhysicsState.Default | PhysicsState.HasPhysicsBsp);
+        Assert.Equal(PhysicsState.Default, f.Body.State);
+    }
+
+    private static (BodyFixture Fixture, Witness Witness) Witnessed()
+    {
+        BodyFixture f = new();
+        f.Body.SetWeenie(Creature);
+        Witness witness = new();
+        f.Body.Listener = witness;
+        return (f, witness);
+    }
+
+    private static CollisionInfo Touching(bool environment) => new() { CollidedWithEnvironment = environment };
+
+    private sealed class Witness : ICollisionListener
+    {
+        public int Environments { get; private set; }
+
+        public List<uint> Objects { get; } = [];
+
+        public List<uint> Ends { get; } = [];
+
+        public void OnEnvironmentCollision(PhysicsBody body, in EnvironmentCollision collision) => Environments++;
+
+        public void OnObjectCollision(WorldObject body, in ObjectCollision collision)
+        {
+            if (body.Id == 1) Objects.Add(collision.ObjectId);
+        }
+
+        public void OnAttackCollision(WorldObject body, in AttackCollision collision) => throw new InvalidOperationException("There is no missile.");
+
+        public void OnCollisionEnd(WorldObject body, uint objectId) => Ends.Add(objectId);
+    }
+}
