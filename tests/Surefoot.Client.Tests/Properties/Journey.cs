@@ -1,0 +1,202 @@
+using System.Collections.Concurrent;
+using System.Numerics;
+using Surefoot.DemoWorld;
+using Surefoot.Physics;
+using Surefoot.Physics.Assets;
+using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Geometry;
+using Surefoot.Physics.Motion;
+using Surefoot.Physics.Tests.World;
+using Surefoot.Physics.World;
+
+namespace Surefoot.Client.Tests.Properties;
+
+/// <summary>The demo world's land, loaded where trips lead, used by one trip after another.</summary>
+internal sealed class Grounds(DemoFiles files)
+{
+    private readonly ConcurrentBag<PhysicsWorld> idle = [];
+
+    internal DemoFiles Files => files;
+
+    /// <summary>Makes a trip; whatever it brought into the world is taken out again.</summary>
+    /// <param name="trip">The trip.</param>
+    /// <param name="visit">Is given the journey before its first step; null means that the place was taken.</param>
+    internal void Visit(Trip trip, Action<Journey> visit)
+    {
+        if (!idle.TryTake(out PhysicsWorld? world)) world = new PhysicsWorld(files.Cache);
+        Journey? journey = Journey.Begin(files, world, trip);
+        if (journey is not null)
+        {
+            visit(journey);
+            journey.End();
+        }
+
+        // A world in which something failed is not used again.
+        idle.Add(world);
+    }
+}
+
+/// <summary>A player on a trip among whoever is spawned near its beginning; the others stand still.</summary>
+internal sealed class Journey
+{
+    /// <summary>A little more than 1/30 s, so that each frame is a quantum whatever the rounding of the clock.</summary>
+    private const double Frame = (1.0 / 30) + 1e-9;
+
+    private const uint HumanSetup = 0x02000001, Id = 0x50000001, FirstOther = 0x60000000;
+    private const uint SmallCreatureSetup = 0x02000100;
+    private const float Company = 40;
+
+    private static readonly SetupAsset Ball = new() { Id = 0x02FF0001, Spheres = [new Sphere(Vector3.Zero, 0.25f)], StepUpHeight = 0.3f, StepDownHeight = 0.3f };
+    private static readonly SetupAsset Arrow = new() { Id = 0x02FF0002, Spheres = [new Sphere(Vector3.Zero, 0.1f)] };
+
+    private readonly Trip trip;
+    private readonly PhysicsWorld world;
+    private readonly LocalPlayer? player;
+    private readonly Strides strides = new();
+    private readonly double frameTime;
+    private uint block;
+    private int frames;
+
+    private Journey(Trip trip, PhysicsWorld world, PhysicsEngine engine, PhysicsBody body, LocalPlayer? player)
+    {
+        this.trip = trip;
+        this.world = world;
+        this.player = player;
+        Engine = engine;
+        Body = body;
+        if (player is null) body.AttachMovement(strides);
+        frameTime = trip.FrameTime == 1 ? Frame : trip.FrameTime / 30.0;
+    }
+
+    internal PhysicsWorld World => world;
+
+    internal PhysicsEngine Engine { get; }
+
+    internal PhysicsBody Body { get; }
+
+    /// <summary>Begins a trip if its place is free by retail's placement without sliding.</summary>
+    internal static Journey? Begin(DemoFiles files, PhysicsWorld world, Trip trip)
+    {
+        Position start = StartOf(world, DemoPlaces.All[trip.Place], trip);
+        PhysicsEngine engine = new(world);
+        SpawnOthers(files, engine, start);
+        PhysicsBody body = Create(files, engine, trip.Who);
+        if (!body.EnterWorld(start, slide: false) || body.IsLost)
+        {
+            Leave(engine);
+            return null;
+        }
+
+        if (trip.Who != Traveller.Player) return new Journey(trip, world, engine, body, null);
+        // A player comes into the world by itself, to the same place.
+        engine.RemoveBody(body);
+        LocalPlayer player = LocalPlayer.Spawn(engine, Id, body.Setup!, files.Motions, start, new CharacterStats(trip.RunSkill, trip.JumpSkill))!;
+        engine.Player = player.Body;
+        return new Journey(trip, world, engine, player.Body, player);
+    }
+
+    /// <summary>Does all deeds of the trip, as long as the body is somewhere.</summary>
+    /// <param name="each">Called after each frame.</param>
+    internal void Go(Action? each = null)
+    {
+        foreach (Deed deed in trip.Deeds)
+        {
+            if (deed.Push != Vector3.Zero) Body.SetVelocity(deed.Push);
+            for (int i = 0; i < deed.Frames && !Body.IsLost; i++)
+            {
+                Step(deed.Keys);
+                each?.Invoke();
+            }
+        }
+    }
+
+    internal void End() => Leave(Engine);
+
+    private void Step(MovementKeys keys)
+    {
+        if (CellIds.BlockOf(Body.Position.CellId) != block)
+        {
+            block = CellIds.BlockOf(Body.Position.CellId);
+            world.EnsureLoadedAround(Body.Position, 1);
+        }
+
+        frames++;
+        player?.Update(keys, frames * frameTime);
+        strides.Next = StrideOf(keys);
+        Body.SetActive(true);
+        Engine.Tick(frames * frameTime);
+    }
+
+    /// <summary>What the keys mean to those who have none: a stride of a quantum, metres.</summary>
+    private Vector3 StrideOf(MovementKeys keys)
+    {
+        float length = trip.RunSkill / 1600f;
+        Vector3 stride = Vector3.Zero;
+        if ((keys & MovementKeys.Forward) != 0) stride.Y += length;
+        if ((keys & MovementKeys.Back) != 0) stride.Y -= length;
+        if ((keys & (MovementKeys.SidestepRight | MovementKeys.TurnRight)) != 0) stride.X += length;
+        if ((keys & (MovementKeys.SidestepLeft | MovementKeys.TurnLeft)) != 0) stride.X -= length;
+        return stride;
+    }
+
+    private static PhysicsBody Create(DemoFiles files, PhysicsEngine engine, Traveller who)
+    {
+        SetupAsset human = files.Cache.GetSetup(HumanSetup), creature = files.Cache.GetSetup(SmallCreatureSetup);
+        const PhysicsState plain = PhysicsState.Gravity | PhysicsState.ReportCollisions;
+        const WeenieTraits player = WeenieTraits.Present | WeenieTraits.Creature | WeenieTraits.Player;
+        const WeenieTraits beast = WeenieTraits.Present | WeenieTraits.Creature;
+        return who switch
+        {
+            Traveller.Player => engine.CreateBody(Id, human, weenie: player),
+            Traveller.Careless => engine.CreateBody(Id, human, plain, beast),
+            Traveller.Creature => engine.CreateBody(Id, creature, PhysicsState.Default, beast),
+            Traveller.Ball => engine.CreateBody(Id, Ball, plain, WeenieTraits.Present),
+            Traveller.Missile => engine.CreateBody(Id, Arrow, plain | PhysicsState.Missile | PhysicsState.PathClipped | PhysicsState.AlignPath, WeenieTraits.Present),
+            _ => engine.CreateBody(Id, human, PhysicsState.Default, beast, 1.5f),
+        };
+    }
+
+    private static void Leave(PhysicsEngine engine)
+    {
+        foreach (PhysicsBody body in engine.Bodies.ToArray()) engine.RemoveBody(body);
+    }
+
+    private static Position StartOf(PhysicsWorld world, NamedPlace named, Trip trip)
+    {
+        Frame frame = new(named.Origin + trip.Offset, Quaternion.Identity);
+        frame.SetHeading(trip.Heading);
+        Position start = new(named.CellId, frame);
+        if (!CellIds.IsOutdoor(start.CellId))
+        {
+            world.EnsureLoadedAround(start, 1);
+            return start;
+        }
+
+        start.AdjustToOutside();
+        world.EnsureLoadedAround(start, 1);
+        // On the ground, unless the place itself is on something that stands there.
+        if (world.GetVisible(named.CellId) is LandCell land && land.Landblock.Terrain.TryGetHeight(named.Origin.X, named.Origin.Y, out float below) &&
+            named.Origin.Z - below < 1 && world.GetVisible(start.CellId) is LandCell cell &&
+            cell.Landblock.Terrain.TryGetHeight(start.Frame.Origin.X, start.Frame.Origin.Y, out float height))
+        {
+            start.Frame.Origin.Z = height + 0.005f + trip.Offset.Z;
+        }
+
+        return start;
+    }
+
+    private static void SpawnOthers(DemoFiles files, PhysicsEngine engine, in Position start)
+    {
+        uint id = FirstOther;
+        foreach (DemoSpawn spawn in DemoSpawns.All)
+        {
+            id++;
+            Position place = new(spawn.CellId, new Frame(spawn.Origin, spawn.Orientation));
+            if (start.DistanceTo(place) > Company) continue;
+            WeenieTraits weenie = spawn.Kind == DemoSpawnKind.Door ? WeenieTraits.Present : WeenieTraits.Present | WeenieTraits.Creature;
+            PhysicsState state = spawn.Kind == DemoSpawnKind.Door ? PhysicsState.ReportCollisions : PhysicsState.Default;
+            PhysicsBody body = engine.CreateBody(id, files.Cache.GetSetup(spawn.SetupId), state, weenie);
+            if (!body.EnterWorld(place, slide: false)) engine.RemoveBody(body);
+        }
+    }
+}

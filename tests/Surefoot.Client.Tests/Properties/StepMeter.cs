@@ -1,0 +1,146 @@
+using System.Numerics;
+using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Transitions;
+using Surefoot.Physics.World;
+
+namespace Surefoot.Client.Tests.Properties;
+
+/// <summary>Measures each step of a sweep: what was asked, what answered, and how far the body was accepted.</summary>
+internal sealed class StepMeter : ITransitionTrace
+{
+    private readonly List<Step> steps = [];
+    private Transition? sweep;
+    private Position begin;
+    private Step open;
+
+    /// <summary>Steps since the last <see cref="Clear"/>.</summary>
+    internal IReadOnlyList<Step> Steps => steps;
+
+    internal void Clear()
+    {
+        steps.Clear();
+        sweep = null;
+    }
+
+    /// <summary>The sweep is over: its last step is closed.</summary>
+    internal void Finish()
+    {
+        if (sweep is null) return;
+        steps.Add(open with { Moved = begin.OffsetTo(sweep.Path.CurrPos), End = sweep.Path.CurrPos });
+        sweep = null;
+    }
+
+    public void StepBegins(Transition transition, int index, int count)
+    {
+        Finish();
+        SpherePath path = transition.Path;
+        (sweep, begin) = (transition, path.CurrPos);
+        Plane? floor = transition.Collision.ContactPlaneValid ? transition.Collision.ContactPlane : null;
+        open = new Step(path.BeginPos.OffsetTo(path.EndPos) / count, floor);
+    }
+
+    public void CellAnswered(Transition transition, ObjCell cell, TransitionState answer)
+    {
+    }
+
+    public void StepEnds(Transition transition, TransitionState outcome)
+    {
+    }
+
+    public void Responded(Transition transition, TransitionResponse response, in Vector3 normal, bool succeeded)
+    {
+        if (!succeeded) return;
+        open = response switch
+        {
+            TransitionResponse.CliffSlide => open with { CliffSlide = true },
+            TransitionResponse.Landing => open with { Landed = true },
+            TransitionResponse.Slide => open with { Slid = true },
+            _ => open,
+        };
+    }
+
+    /// <summary>One step of a sweep.</summary>
+    /// <param name="Asked">Displacement asked for, metres.</param>
+    /// <param name="Floor">Plane touched at its beginning, or null.</param>
+    internal readonly record struct Step(Vector3 Asked, Plane? Floor)
+    {
+        /// <summary>Displacement accepted, metres.</summary>
+        internal Vector3 Moved { get; init; }
+
+        /// <summary>Where it ended.</summary>
+        internal Position End { get; init; }
+
+        internal bool CliffSlide { get; init; }
+
+        internal bool Landed { get; init; }
+
+        internal bool Slid { get; init; }
+
+        public override string ToString() => $"asked {Asked} moved {Moved} on {Floor} to {End}, cliff {CliffSlide}, landed {Landed}, slid {Slid}";
+    }
+}
+
+/// <summary>
+/// How far a step may lead: as far as asked, plus the step heights. Each property that allows more is an exception that the specification makes.
+/// </summary>
+internal readonly struct Reach(StepMeter.Step step, PhysicsBody body)
+{
+    private const double Rounding = 0.001;
+
+    private double Asked => step.Asked.Length();
+
+    private float Radius => body.Setup!.Spheres[0].Radius * body.Scale;
+
+    /// <summary>
+    /// Meshes are stepped onto up to one and a half times the height that terrain is: the floor of the probe is −0.5 for polygons (specification 04, 4.13).
+    /// </summary>
+    private double StepUpOntoMeshes => 1.5 * body.StepUpHeight;
+
+    /// <summary>Away from the floor x and y are kept and z is taken from the plane (specification 03, 4.6, adjust_offset, step 3).</summary>
+    private double DownhillSnap => step.Floor is not { } floor
+        ? 0
+        : Math.Sqrt(((double)step.Asked.X * step.Asked.X) + ((double)step.Asked.Y * step.Asked.Y)) * Math.Sqrt(1 - ((double)floor.Normal.Z * floor.Normal.Z)) / floor.Normal.Z;
+
+    /// <summary>A body that stands deeper than tangent is lifted, by less than its radius (specification 03, 4.6, adjust_offset, step 4).</summary>
+    private double UnSink => step.Floor is null ? 0 : Radius;
+
+    /// <summary>A slide projects the step together with the lift before it onto its crease (specification 03, 4.8.1, step 4).</summary>
+    private double SlideOfLift => step.Slid ? UnSink : 0;
+
+    /// <summary>A slope that rises ahead doubles the part of the step across it, in each of three attempts (specification 03, 4.7, cliff_slide).</summary>
+    private double CliffSlide => step.CliffSlide ? 7 * Asked : 0;
+
+    /// <summary>
+    /// Who lands is drawn back along its way until it is tangent to the polygon, which may be before where it began: the floor of −0.5 is compared after
+    /// multiplying with what earlier polygons left (specification 04, 4.4, adjust_sphere_to_plane, step 4).
+    /// </summary>
+    private bool IsDrawnBackAlongItsWay
+    {
+        get
+        {
+            if (!step.Landed || Asked == 0) return false;
+            Vector3 way = Vector3.Normalize(step.Asked);
+            return (step.Moved - (way * Vector3.Dot(step.Moved, way))).Length() < 0.01f;
+        }
+    }
+
+    /// <summary>The ground lifts whoever enters it straight up to its surface, however steep it is (specification 03, 4.4, step 4).</summary>
+    private bool IsLiftedByGround(PhysicsWorld world)
+    {
+        Vector3 at = step.End.Frame.Origin;
+        double low = at.Z + ((body.Setup!.Spheres[0].Center.Z - body.Setup!.Spheres[0].Radius) * body.Scale);
+        return world.GetVisible(step.End.CellId) is LandCell land && land.Landblock.Terrain.TryGetHeight(at.X, at.Y, out float height) && low < height + 0.002;
+    }
+
+    /// <summary>Null when the step kept to its bounds, otherwise what it exceeded.</summary>
+    internal string? Excess(PhysicsWorld world)
+    {
+        if (IsDrawnBackAlongItsWay) return null;
+        Vector3 moved = step.Moved;
+        double level = Math.Sqrt(((double)moved.X * moved.X) + ((double)moved.Y * moved.Y));
+        if (level > Asked + CliffSlide + Rounding) return $"{level} m on the level, {Asked} m asked";
+        if (moved.Z > Asked + UnSink + StepUpOntoMeshes + Rounding && !IsLiftedByGround(world)) return $"{moved.Z} m up, {Asked} m asked";
+        double down = Math.Max(Asked, DownhillSnap) + SlideOfLift + body.StepDownHeight;
+        return -moved.Z > down + Rounding ? $"{-moved.Z} m down, {down} m allowed" : null;
+    }
+}
