@@ -16,22 +16,24 @@ internal sealed class Grounds(DemoFiles files)
 {
     private readonly ConcurrentBag<PhysicsWorld> idle = [];
 
-    internal DemoFiles Files => files;
-
     /// <summary>Makes a trip; whatever it brought into the world is taken out again.</summary>
     /// <param name="trip">The trip.</param>
-    /// <param name="visit">Is given the journey before its first step; null means that the place was taken.</param>
+    /// <param name="visit">Is given the journey before its first step, unless its place is taken.</param>
     internal void Visit(Trip trip, Action<Journey> visit)
     {
-        if (!idle.TryTake(out PhysicsWorld? world)) world = new PhysicsWorld(files.Cache);
-        Journey? journey = Journey.Begin(files, world, trip);
-        if (journey is not null)
+        Borrow(world =>
         {
+            if (Journey.Begin(files, world, trip) is not { } journey) return;
             visit(journey);
             journey.End();
-        }
+        });
+    }
 
-        // A world in which something failed is not used again.
+    /// <summary>Lends a world to someone who leaves no body in it. One in which something failed is not used again.</summary>
+    internal void Borrow(Action<PhysicsWorld> use)
+    {
+        if (!idle.TryTake(out PhysicsWorld? world)) world = new PhysicsWorld(files.Cache);
+        use(world);
         idle.Add(world);
     }
 }
@@ -143,6 +145,7 @@ internal sealed class Journey
     {
         SetupAsset human = files.Cache.GetSetup(HumanSetup), creature = files.Cache.GetSetup(SmallCreatureSetup);
         const PhysicsState plain = PhysicsState.Gravity | PhysicsState.ReportCollisions;
+        const PhysicsState missile = plain | PhysicsState.Missile | PhysicsState.PathClipped | PhysicsState.AlignPath;
         const WeenieTraits player = WeenieTraits.Present | WeenieTraits.Creature | WeenieTraits.Player;
         const WeenieTraits beast = WeenieTraits.Present | WeenieTraits.Creature;
         return who switch
@@ -151,7 +154,7 @@ internal sealed class Journey
             Traveller.Careless => engine.CreateBody(Id, human, plain, beast),
             Traveller.Creature => engine.CreateBody(Id, creature, PhysicsState.Default, beast),
             Traveller.Ball => engine.CreateBody(Id, Ball, plain, WeenieTraits.Present),
-            Traveller.Missile => engine.CreateBody(Id, Arrow, plain | PhysicsState.Missile | PhysicsState.PathClipped | PhysicsState.AlignPath, WeenieTraits.Present),
+            Traveller.Missile => engine.CreateBody(Id, Arrow, missile, WeenieTraits.Present),
             _ => engine.CreateBody(Id, human, PhysicsState.Default, beast, 1.5f),
         };
     }

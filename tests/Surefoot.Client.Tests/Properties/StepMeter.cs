@@ -87,6 +87,9 @@ internal readonly struct Reach(StepMeter.Step step, PhysicsBody body)
 {
     private const double Rounding = 0.001;
 
+    /// <summary>Who is not on walkable ground steps up and down by this much (specification 03, 4.6, transitional_insert, and 4.7, step_up).</summary>
+    private const double UnsteadyStep = 0.04;
+
     private double Asked => step.Asked.Length();
 
     private float Radius => body.Setup!.Spheres[0].Radius * body.Scale;
@@ -94,12 +97,18 @@ internal readonly struct Reach(StepMeter.Step step, PhysicsBody body)
     /// <summary>
     /// Meshes are stepped onto up to one and a half times the height that terrain is: the floor of the probe is −0.5 for polygons (specification 04, 4.13).
     /// </summary>
-    private double StepUpOntoMeshes => 1.5 * body.StepUpHeight;
+    private double StepUpOntoMeshes => 1.5 * Math.Max(body.StepUpHeight, UnsteadyStep);
 
     /// <summary>Away from the floor x and y are kept and z is taken from the plane (specification 03, 4.6, adjust_offset, step 3).</summary>
-    private double DownhillSnap => step.Floor is not { } floor
-        ? 0
-        : Math.Sqrt(((double)step.Asked.X * step.Asked.X) + ((double)step.Asked.Y * step.Asked.Y)) * Math.Sqrt(1 - ((double)floor.Normal.Z * floor.Normal.Z)) / floor.Normal.Z;
+    private double DownhillSnap
+    {
+        get
+        {
+            if (step.Floor is not { } floor) return 0;
+            double steepness = Math.Sqrt(1 - ((double)floor.Normal.Z * floor.Normal.Z)) / floor.Normal.Z;
+            return steepness * Level(step.Asked);
+        }
+    }
 
     /// <summary>A body that stands deeper than tangent is lifted, by less than its radius (specification 03, 4.6, adjust_offset, step 4).</summary>
     private double UnSink => step.Floor is null ? 0 : Radius;
@@ -137,10 +146,12 @@ internal readonly struct Reach(StepMeter.Step step, PhysicsBody body)
     {
         if (IsDrawnBackAlongItsWay) return null;
         Vector3 moved = step.Moved;
-        double level = Math.Sqrt(((double)moved.X * moved.X) + ((double)moved.Y * moved.Y));
+        double level = Level(moved);
         if (level > Asked + CliffSlide + Rounding) return $"{level} m on the level, {Asked} m asked";
         if (moved.Z > Asked + UnSink + StepUpOntoMeshes + Rounding && !IsLiftedByGround(world)) return $"{moved.Z} m up, {Asked} m asked";
-        double down = Math.Max(Asked, DownhillSnap) + SlideOfLift + body.StepDownHeight;
+        double down = Math.Max(Asked, DownhillSnap) + SlideOfLift + Math.Max(body.StepDownHeight, UnsteadyStep);
         return -moved.Z > down + Rounding ? $"{-moved.Z} m down, {down} m allowed" : null;
     }
+
+    private static double Level(in Vector3 v) => Math.Sqrt(((double)v.X * v.X) + ((double)v.Y * v.Y));
 }
