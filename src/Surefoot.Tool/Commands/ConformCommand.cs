@@ -79,9 +79,12 @@ internal static class ConformCommand
         table.AddRow("all", $"{report.Reseated.Cases}", $"{report.Reseated.Steps}", Share(report.Reseated.StepsEqual, report.Reseated.Steps), Share(report.FreeRunning.CasesEqual, report.FreeRunning.Cases));
         if (report.Reseated.Cases > 0) AnsiConsole.Write(table);
         foreach ((string family, OracleScore score) in report.Oracle)
-            Console.Out.WriteLine($"{family}: {score.ResultsEqual} of {score.Results} results equal ({Share(score.ResultsEqual, score.Results)}); of {score.Listed} listed as departures {score.ListedDiffering} differ");
+            Console.Out.WriteLine($"{family}: {score.ResultsEqual} of {score.Results} results equal ({Share(score.ResultsEqual, score.Results)}); of {score.Listed} listed as departures {score.ListedDiffering} differ{Reasons(score)}");
         foreach (Divergence d in report.Divergences.Take(worst)) Console.Out.WriteLine($"{d.CaseId} {d.Scene} step {d.Step}: {d.Difference}: {d.Detail}");
     }
+
+    private static string Reasons(OracleScore score) =>
+        score.Explained.Count == 0 ? "" : $"; differing for a known reason: {string.Join(", ", score.Explained.Select(e => $"{e.Key} {e.Value}"))}";
 
     private static string Share(int part, int whole) => whole == 0 ? "-" : FormattableString.Invariant($"{100.0 * part / whole:0.00} %");
 }

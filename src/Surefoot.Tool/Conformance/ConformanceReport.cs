@@ -57,8 +57,10 @@ internal sealed class ConformanceReport
     {
         if (!Oracle.TryGetValue(result.Family, out OracleScore? score)) Oracle[result.Family] = score = new OracleScore();
         score.Add(listed, result.Difference is null);
-        if (!listed && result.Difference is { } difference)
-            Divergences.Add(new Divergence(result.Id, $"{result.Family} {result.Tag}", result.Step, StepDifference.Result, difference));
+        if (listed || result.Difference is not { } difference) return;
+        if (result.Departure is { } departure) score.Count(departure);
+        Divergences.Add(new Divergence(
+            result.Id, $"{result.Family} {result.Tag}", result.Step, StepDifference.Result, result.Departure is null ? difference : $"{difference} ({result.Departure})"));
     }
 
     internal object ToJson() => new
@@ -92,6 +94,11 @@ internal sealed class OracleScore
 
     /// <summary>Of those, differing as foreseen.</summary>
     public int ListedDiffering { get; private set; }
+
+    /// <summary>Of the unlisted results that differ, those for which the mover's state says why, by reason.</summary>
+    public SortedDictionary<string, int> Explained { get; } = new(StringComparer.Ordinal);
+
+    internal void Count(string departure) => Explained[departure] = Explained.GetValueOrDefault(departure) + 1;
 
     internal void Add(bool listed, bool equal)
     {

@@ -194,6 +194,20 @@ public class IntegrationTests
         }
     }
 
+    [Theory, Behaviour("body.heading.along-the-way", "spec/02, 4.4, step 7; spec/03, 4.1.4")]
+    [InlineData(PhysicsState.Missile | PhysicsState.AlignPath, 0.6f, 0.8f)]
+    [InlineData(PhysicsState.Sledding, 1f, 0f)]
+    public void A_missile_faces_its_way_and_a_sled_the_level_part_of_it(PhysicsState state, float yAxisX, float yAxisZ)
+    {
+        BodyFixture f = new(state);
+        f.Seat(new(12, 12, 10), new Vector3(3, 0, 4), TransientState.None);
+        f.Body.Step(BodyFixture.Tick);
+        // The way is worked out from positions stored as float, 0.17 m apart at 12 m.
+        Vector3 facing = f.Body.Position.Frame.YAxis, right = f.Body.Position.Frame.XAxis;
+        Assert.True(Vector3.Distance(new Vector3(yAxisX, 0, yAxisZ), facing) < 1e-4f, $"faces {facing}");
+        Assert.True(Vector3.Distance(-Vector3.UnitY, right) < 1e-4f, $"right {right}");
+    }
+
     [Fact, Behaviour("body.velocity.clamp", "spec/02, 6.8")]
     public void A_velocity_is_set_to_at_most_fifty()
     {

@@ -185,6 +185,18 @@ public class SweepTests
         Assert.True(t.Collision.CollidedWithEnvironment);
     }
 
+    /// <summary>0.15 mm on each axis is within the tolerance of the comparison but long enough for a step.</summary>
+    [Theory, Behaviour("transition.stuck.turning-is-moving", "spec/03, 4.1.4, Frame::is_equal @0x00424C30; spec/03, 5, frame equality")]
+    [InlineData(0f, 1)]
+    [InlineData(0.1f, 0)]
+    public void A_body_that_turns_on_the_spot_is_not_stuck(float turn, int stationary)
+    {
+        Transition t = new StubWorld(_ => null).Sweep(new(0, 0, 5), new(0.00015f, 0.00015f, -0.00015f), MoverFlags.None);
+        t.Path.EndPos.Frame.SetRotation(Quaternion.CreateFromAxisAngle(Vector3.UnitZ, turn));
+        Assert.True(t.FindValidPosition());
+        Assert.Equal(stationary, t.Collision.FramesStationaryFall);
+    }
+
     [Fact, Behaviour("transition.stuck.not-on-the-ground", "spec/03, 6.8 case 14")]
     public void A_body_blocked_on_the_ground_is_not_counted_as_falling()
     {

@@ -26,6 +26,9 @@ public class OracleTests
             report.Add(result, departures.Contains(result.Step < 0 ? result.Id : $"{result.Id}/{result.Step}"));
         OracleScore score = report.Oracle[family];
         Assert.True(score.ResultsEqual >= 0.99 * score.Results, $"{score.ResultsEqual} of {score.Results} results equal");
+        // What is left are ties of the last bit and a peer that drops outdoor cells from inside a doorway: docs/fidelity.md counts them.
+        int unexplained = score.Results - score.ResultsEqual - score.Explained.Values.Sum();
+        Assert.True(unexplained <= 0.001 * score.Results, $"{unexplained} of {score.Results} results differ for no known reason");
         Assert.True(score.ListedDiffering > 0.5 * score.Listed, $"of {score.Listed} listed departures only {score.ListedDiffering} differ");
     }
 }
