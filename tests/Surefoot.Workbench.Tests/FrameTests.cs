@@ -42,6 +42,8 @@ public sealed class FrameTests
         Assert.Equal(Bytes("others"), ServerFrames.Others(12.5, 1, [(1, default), (2, SamplePose)]));
         Assert.Equal(Bytes("event"), ServerFrames.Event(new PlayerEvent(PlayerEventKind.JumpRefused, 12.5, 2, 73)));
         Assert.Equal(Bytes("bodies"), ServerFrames.Bodies(12.5, SampleBodies));
+        Assert.Equal(Bytes("touches"), ServerFrames.Touches(
+            [new Touch(true, TouchKind.Room, 0xA8B50100, Vector3.UnitZ, ""), new Touch(false, TouchKind.Body, 0x80000001, new Vector3(0.5f, -0.25f, 0), "creature")]));
     }
 
     [Theory]

@@ -56,12 +56,15 @@ public sealed class ServerTests : IAsyncLifetime
     }
 
     [Fact]
-    [Behaviour("workbench.server.shapes-that-bodies-meet", "issue 3, item 6")]
-    public async Task Shapes_are_counted_triangles_of_objects_shells_and_rooms()
+    [Behaviour("workbench.server.shapes-that-bodies-meet", "issue 3, item 6; issue 4, item 10")]
+    public async Task Shapes_are_counted_triangles_of_objects_rocks_shells_and_rooms_and_plants()
     {
         byte[] bytes = await http.GetByteArrayAsync(new Uri(server.Address, "/shapes/a9b4"));
-        Assert.Equal(12 + (2 * 36), bytes.Length);
-        Assert.Equal([1, 0, 1], Enumerable.Range(0, 3).Select(i => BinaryPrimitives.ReadInt32LittleEndian(bytes.AsSpan(4 * i))));
+        Assert.Equal(20 + 8 + 24 + (2 * 36), bytes.Length);
+        Assert.Equal([1, 0, 0, 1, 1], Enumerable.Range(0, 5).Select(i => BinaryPrimitives.ReadInt32LittleEndian(bytes.AsSpan(4 * i))));
+        Assert.Equal(0xA9B40100, BinaryPrimitives.ReadUInt32LittleEndian(bytes.AsSpan(20)));
+        Assert.Equal(1, BinaryPrimitives.ReadInt32LittleEndian(bytes.AsSpan(24)));
+        Assert.Equal([1f, 2f, 3f, 0.5f, 4f], Enumerable.Range(0, 5).Select(i => BinaryPrimitives.ReadSingleLittleEndian(bytes.AsSpan(28 + (4 * i)))));
         Assert.Equal(2f, BinaryPrimitives.ReadSingleLittleEndian(bytes.AsSpan(bytes.Length - 4)));
         Assert.Equal(HttpStatusCode.NoContent, (await http.GetAsync(new Uri(server.Address, "/shapes/a9b5"))).StatusCode);
         Assert.Equal(HttpStatusCode.NotFound, (await http.GetAsync(new Uri(server.Address, "/shapes/a9b"))).StatusCode);
@@ -123,6 +126,18 @@ public sealed class ServerTests : IAsyncLifetime
         await page.ReceiveAsync(FrameKind.Bodies, bodies => FlagsOf(bodies) == BodyFlags.Open);
         await page.SendAsync(0x04);
         await page.ReceiveAsync(FrameKind.Bodies, bodies => FlagsOf(bodies) == BodyFlags.None);
+    }
+
+    [Fact]
+    [Behaviour("workbench.touches.told-when-changed", "issue 4, item 10")]
+    public async Task A_page_is_told_what_its_player_stands_on_and_touches_and_when_that_changes()
+    {
+        await using RawPage page = await RawPage.OpenAsync(server);
+        byte[] first = await page.ReceiveAsync(FrameKind.Touches);
+        Assert.Equal(ServerFrames.TouchesHeaderLength + (2 * ServerFrames.TouchLength) + "door".Length, first.Length);
+        Assert.Equal([2, 1, (byte)TouchKind.Ground, 0, 0], first[1..6]);
+        await page.SendAsync(0x03, 1, 0);
+        await page.ReceiveAsync(FrameKind.Touches, touches => BinaryPrimitives.ReadUInt32LittleEndian(touches.AsSpan(6)) == 0xAAB40025);
     }
 
     [Fact]

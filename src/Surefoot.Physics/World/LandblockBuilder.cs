@@ -27,7 +27,7 @@ internal sealed class LandblockBuilder(PhysicsDataCache cache, RegionAsset regio
         StaticOrder order = new(block.Id);
         if (info is not null) AddContents(block, info, order);
         foreach (SceneryItem item in Scenery.Of(block, region, cache))
-            block.AddStatic(new StaticObject(item.Setup, new Position(item.Cell.Id, item.Frame), order.NextOnLand(), item.Cell, item.Scale));
+            block.AddStatic(new StaticObject(item.Setup, new Position(item.Cell.Id, item.Frame), order.NextOnLand(), item.Cell, item.Scale) { IsScenery = true });
         if (info is not null) AddRooms(block, info, order);
         return block;
     }

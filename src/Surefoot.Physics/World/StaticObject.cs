@@ -14,6 +14,9 @@ public sealed class StaticObject : WorldObject
         SeatAt(position, cell);
     }
 
+    /// <summary>It was strewn by the rules of the terrain, and stands in no record.</summary>
+    public bool IsScenery { get; internal init; }
+
     /// <summary>
     /// Place in the order in which statics are tested: land objects and scenery of all landblocks, column by column, then those of rooms. It does not
     /// depend on the order of loading.

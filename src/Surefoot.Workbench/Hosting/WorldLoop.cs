@@ -155,6 +155,7 @@ internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters co
             if (seats.Count > 1 || seat.HadCompany) seat.Page.Send(ServerFrames.Others(now, seat.Id, poses));
             seat.HadCompany = seats.Count > 1;
             TellOfBodies(seat, now);
+            TellOfTouches(seat);
         }
     }
 
@@ -166,6 +167,16 @@ internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters co
         seat.Bodies.Clear();
         seat.Bodies.AddRange(bodies);
         seat.Page.Send(ServerFrames.Bodies(now, bodies));
+    }
+
+    private void TellOfTouches(Seat seat)
+    {
+        IReadOnlyList<Touch> touches = seat.Player.Touches;
+        bool repeat = step % WireLimits.RepeatEvery == 0 && touches.Count > 0;
+        if (!repeat && seat.Touches.SequenceEqual(touches)) return;
+        seat.Touches.Clear();
+        seat.Touches.AddRange(touches);
+        seat.Page.Send(ServerFrames.Touches(touches));
     }
 
     [LoggerMessage(Level = LogLevel.Error, Message = "Player {Player} was removed because the world refused it")]
@@ -183,6 +194,9 @@ internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters co
 
         /// <summary>The bodies that the page was told of last.</summary>
         public List<BodyPose> Bodies { get; } = [];
+
+        /// <summary>The touches that the page was told of last.</summary>
+        public List<Touch> Touches { get; } = [];
 
         /// <summary>Whether the last frame of others listed anyone; one empty frame follows the last of them.</summary>
         public bool HadCompany { get; set; }

@@ -48,6 +48,9 @@ internal interface IWorkbenchPlayer
     /// <summary>State after the last step.</summary>
     PlayerPose Pose { get; }
 
+    /// <summary>What it stands on, if anything, and what it touches or touched a moment ago.</summary>
+    IReadOnlyList<Touch> Touches { get; }
+
     /// <summary>The keys held from now on.</summary>
     void SetKeys(PlayerKeys keys, double now);
 
@@ -70,8 +73,23 @@ internal interface IWorkbenchPlayer
 /// <param name="SouthWestCut">64 split directions, true for SW–NE, index 8·i + j.</param>
 internal sealed record TerrainBlock(float[] Heights, ushort[] Terrain, bool[] SouthWestCut);
 
-/// <summary>Triangles of what bodies collide with on a landblock, three corners each, metres in the block.</summary>
-/// <param name="Objects">Objects and scenery outdoors.</param>
+/// <summary>What bodies collide with on a landblock. Triangles are three corners each, metres in the block.</summary>
+/// <param name="Objects">Triangles of objects outdoors.</param>
+/// <param name="Rocks">Triangles of scenery outdoors.</param>
 /// <param name="Shells">Outsides of buildings.</param>
-/// <param name="Rooms">Rooms, and what stands in them.</param>
-internal sealed record BlockShapes(Vector3[] Objects, Vector3[] Shells, Vector3[] Rooms);
+/// <param name="Rooms">Rooms, each with what stands in it.</param>
+/// <param name="Plants">Scenery without polygons.</param>
+internal sealed record BlockShapes(
+    Vector3[] Objects, Vector3[] Rocks, IReadOnlyList<NamedShape> Shells, IReadOnlyList<NamedShape> Rooms, IReadOnlyList<Plant> Plants);
+
+/// <summary>Triangles that belong together.</summary>
+/// <param name="Id">Id of a room's cell, or of a building's model.</param>
+/// <param name="Triangles">Three corners each, metres in the block.</param>
+internal sealed record NamedShape(uint Id, Vector3[] Triangles);
+
+/// <summary>A piece of scenery that stops bodies by an upright cylinder, as trees do, or a sphere, as shrubs do.</summary>
+/// <param name="Low">The middle of its lowest disc, or its lowest point; metres in the block.</param>
+/// <param name="Radius">Metres.</param>
+/// <param name="Height">Metres.</param>
+/// <param name="IsRound">It is a sphere.</param>
+internal readonly record struct Plant(Vector3 Low, float Radius, float Height, bool IsRound);

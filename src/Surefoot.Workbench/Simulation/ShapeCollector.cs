@@ -17,11 +17,47 @@ internal static class ShapeCollector
     /// <summary>The shapes of a block, in its coordinates.</summary>
     public static BlockShapes Collect(Landblock block)
     {
-        List<Vector3> objects = [], shells = [], rooms = [];
-        foreach (StaticObject item in block.StaticObjects) AddObject(CellIds.IsOutdoor(item.Position.CellId) ? objects : rooms, item);
-        foreach (BuildingObject building in block.Buildings) AddObject(shells, building.Shell);
-        foreach (EnvCell room in block.Rooms) AddPolygons(rooms, room.Shape.Physics.Polygons, room.Position.Frame, 1f);
-        return new BlockShapes([.. objects], [.. shells], [.. rooms]);
+        List<Vector3> objects = [], rocks = [];
+        List<NamedShape> shells = [], rooms = [];
+        List<Plant> plants = [];
+        ILookup<uint, StaticObject> indoors = block.StaticObjects.Where(item => !CellIds.IsOutdoor(item.Position.CellId)).ToLookup(item => item.Position.CellId);
+        foreach (StaticObject item in block.StaticObjects)
+        {
+            if (!CellIds.IsOutdoor(item.Position.CellId)) continue;
+            if (!item.IsScenery) AddObject(objects, item);
+            else if (item.Setup is { HasPhysicsBsp: false } setup) AddPlant(plants, item, setup);
+            else AddObject(rocks, item);
+        }
+
+        foreach (BuildingObject building in block.Buildings)
+        {
+            List<Vector3> triangles = [];
+            AddObject(triangles, building.Shell);
+            shells.Add(new NamedShape(building.Shell.Setup?.Id ?? 0, [.. triangles]));
+        }
+
+        foreach (EnvCell room in block.Rooms)
+        {
+            List<Vector3> triangles = [];
+            AddPolygons(triangles, room.Shape.Physics.Polygons, room.Position.Frame, 1f);
+            foreach (StaticObject item in indoors[room.Id]) AddObject(triangles, item);
+            rooms.Add(new NamedShape(room.Id, [.. triangles]));
+        }
+
+        return new BlockShapes([.. objects], [.. rocks], shells, rooms, plants);
+    }
+
+    private static void AddPlant(List<Plant> to, StaticObject item, SetupAsset setup)
+    {
+        foreach (CylSphere cylinder in setup.Cylinders)
+            to.Add(new Plant(item.Position.Frame.LocalToGlobal(cylinder.LowPoint * item.Scale), cylinder.Radius * item.Scale, cylinder.Height * item.Scale, IsRound: false));
+        if (setup.Cylinders.Length > 0) return;
+        foreach (Sphere sphere in setup.Spheres)
+        {
+            float radius = sphere.Radius * item.Scale;
+            Vector3 low = item.Position.Frame.LocalToGlobal(sphere.Center * item.Scale) - new Vector3(0, 0, radius);
+            to.Add(new Plant(low, radius, 2 * radius, IsRound: true));
+        }
     }
 
     private static void AddObject(List<Vector3> to, StaticObject item)

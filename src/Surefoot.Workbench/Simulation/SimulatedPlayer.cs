@@ -15,8 +15,14 @@ internal sealed class SimulatedPlayer : IWorkbenchPlayer, IMovementSink
 
     private const int MostEventsKept = 64;
 
+    // Whoever runs along a wall meets it in every second or third step only; seconds.
+    private const double TouchHolds = 0.25;
+
     private readonly Queue<PlayerEvent> events = [];
     private readonly SpeedMeter speed = new();
+    private readonly List<Touch> found = [];
+    private readonly List<Touch> touches = [];
+    private readonly List<(Touch Touch, double At)> recent = [];
     private LocalPlayer? player;
     private SimulatedWorld? world;
     private uint settledCell;
@@ -28,6 +34,9 @@ internal sealed class SimulatedPlayer : IWorkbenchPlayer, IMovementSink
 
     /// <inheritdoc/>
     public PlayerPose Pose { get; private set; }
+
+    /// <inheritdoc/>
+    public IReadOnlyList<Touch> Touches => touches;
 
     /// <summary>The player in the physics.</summary>
     public LocalPlayer Player => player ?? throw new InvalidOperationException("The player has not entered the world.");
@@ -143,6 +152,23 @@ internal sealed class SimulatedPlayer : IWorkbenchPlayer, IMovementSink
             state.SidestepCommand == MotionCommand.None ? 0 : state.SidestepSpeed,
             state.TurnCommand == MotionCommand.None ? 0 : state.TurnSpeed,
             teleports);
+        ObserveTouches(now);
+    }
+
+    private void ObserveTouches(double now)
+    {
+        world?.FindTouches(Player.Body, found);
+        foreach (Touch touch in found)
+        {
+            if (touch.IsFooting) continue;
+            recent.RemoveAll(one => one.Touch.Kind == touch.Kind && one.Touch.Id == touch.Id);
+            recent.Add((touch, now));
+        }
+
+        recent.RemoveAll(one => one.At < now - TouchHolds);
+        touches.Clear();
+        touches.AddRange(found.FindAll(touch => touch.IsFooting));
+        foreach ((Touch touch, _) in recent) touches.Add(touch);
     }
 
     void IMovementSink.OnJump(in JumpEvent e) => Happen(new PlayerEvent(PlayerEventKind.Jumped, e.Time, e.Extent));

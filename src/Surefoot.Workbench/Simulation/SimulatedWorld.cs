@@ -33,6 +33,7 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     private readonly SetupAsset human;
     private readonly MotionTableAsset humanMotions;
     private readonly Inhabitants inhabitants;
+    private readonly TouchFinder touches;
     private readonly ILogger logger;
     private readonly List<SimulatedPlayer> players = [];
     private readonly HashSet<uint> broken = [];
@@ -58,6 +59,7 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
         human = cache.GetSetup(HumanSetup);
         humanMotions = MotionTableLoader.Load(dats, HumanMotionTable);
         inhabitants = new Inhabitants(engine, cache, spawns, WandererSeed);
+        touches = new TouchFinder(NameOf);
         Places = [.. places.Where(place => dats.TryRead((place.CellId & 0xFFFF0000) | 0xFFFF, out _)).Select(OnGround)];
         if (Places.Count == 0) Places = [OnGround(KnownPlaces.Somewhere(dats))];
     }
@@ -169,6 +171,9 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     /// <summary>The nearest door within a player's reach opens, or closes.</summary>
     internal void UseDoor(SimulatedPlayer player, double now) => inhabitants.UseDoor(player.Player.Body.Position, now);
 
+    /// <summary>Lists what a body stands on and touches.</summary>
+    internal void FindTouches(PhysicsBody body, List<Touch> into) => touches.Find(body, into);
+
     /// <summary>Loads what a player in this cell may reach; before it is put there.</summary>
     internal void LoadAround(uint cellId, int radius)
     {
@@ -205,6 +210,9 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
 
         foreach (uint blockId in leaving) land.UnloadLandblock(blockId);
     }
+
+    private (TouchKind Kind, string Name) NameOf(WorldObject body) =>
+        inhabitants.Find(body.Id) is { } one ? (TouchKind.Body, one.Name) : (TouchKind.Player, $"player {body.Id}");
 
     private static bool IsNear(uint blockId, uint cellId) =>
         Math.Abs((int)(blockId >> 24) - (int)(cellId >> 24)) <= KeepRadius &&

@@ -32,6 +32,9 @@ internal enum FrameKind : byte
     /// steps; who is not listed is gone or far; see <see cref="ServerFrames.Bodies"/>.
     /// </summary>
     Bodies = 0x85,
+
+    /// <summary>Server → page: what the page's player stands on and touches; sent as <see cref="Bodies"/>; see <see cref="ServerFrames.Touches"/>.</summary>
+    Touches = 0x86,
 }
 
 /// <summary>The keys a player holds.</summary>

@@ -15,6 +15,8 @@ internal static class ServerFrames
     public const int OtherLength = 52;
     public const int BodiesHeaderLength = 11;
     public const int BodyLength = 56;
+    public const int TouchesHeaderLength = 2;
+    public const int TouchLength = 20;
 
     private const int LongestName = 255;
 
@@ -141,6 +143,31 @@ internal static class ServerFrames
             to.F32(body.Scale);
             to.Vector(body.Size);
             to.Text(body.Name);
+        }
+
+        return bytes;
+    }
+
+    /// <summary>
+    /// <c>u8 kind, u8 count</c>, then for each <c>u8 1 for what is stood on, u8 kind of thing, u8 length of the name, u8 0, u32 id, f32[3] normal</c> and its
+    /// name in UTF-8.
+    /// </summary>
+    public static byte[] Touches(IReadOnlyList<Touch> touches)
+    {
+        int count = Math.Min(touches.Count, byte.MaxValue);
+        byte[] bytes = new byte[TouchesHeaderLength + touches.Take(count).Sum(touch => TouchLength + NameLength(touch.Name))];
+        Writer to = new(bytes);
+        to.U8((byte)FrameKind.Touches);
+        to.U8((byte)count);
+        foreach (Touch touch in touches.Take(count))
+        {
+            to.U8(touch.IsFooting ? (byte)1 : (byte)0);
+            to.U8((byte)touch.Kind);
+            to.U8((byte)NameLength(touch.Name));
+            to.U8(0);
+            to.U32(touch.Id);
+            to.Vector(touch.Normal);
+            to.Text(touch.Name);
         }
 
         return bytes;

@@ -8,27 +8,53 @@ namespace Surefoot.Workbench.Wire;
 /// <summary>Writes what <c>/shapes/XXYY</c> answers.</summary>
 internal static class ShapesFrame
 {
-    private const int HeaderLength = 12;
+    private const int HeaderLength = 20;
+    private const int ShapeLength = 8;
+    private const int PlantLength = 24;
 
     /// <summary>
-    /// <c>u32[3] triangles</c> of objects, building shells and rooms, then for each triangle in that order <c>f32[9]</c>, its corners in metres of the block,
-    /// counter-clockwise seen from its front.
+    /// <c>u32[2] triangles</c> of objects and of rocks, <c>u32 shells, u32 rooms, u32 plants</c>; for each shell, then each room, <c>u32 id, u32 triangles</c>;
+    /// for each plant <c>f32[3] low point, f32 radius, f32 height, u32 1 for a sphere</c>; then all triangles in the order in which they were counted,
+    /// <c>f32[9]</c> each: its corners in metres of the block, counter-clockwise seen from its front.
     /// </summary>
     public static byte[] Encode(BlockShapes shapes)
     {
-        Vector3[][] groups = [shapes.Objects, shapes.Shells, shapes.Rooms];
-        byte[] bytes = new byte[HeaderLength + (groups.Sum(group => group.Length) * 12)];
-        Span<byte> rest = bytes.AsSpan(HeaderLength);
-        for (int i = 0; i < groups.Length; i++)
+        NamedShape[] named = [.. shapes.Shells, .. shapes.Rooms];
+        Vector3[][] groups = [shapes.Objects, shapes.Rocks, .. named.Select(one => one.Triangles)];
+        int triangles = HeaderLength + (named.Length * ShapeLength) + (shapes.Plants.Count * PlantLength);
+        byte[] bytes = new byte[triangles + (groups.Sum(group => group.Length) * 12)];
+        Span<byte> rest = bytes;
+        Count(ref rest, shapes.Objects.Length / 3);
+        Count(ref rest, shapes.Rocks.Length / 3);
+        Count(ref rest, shapes.Shells.Count);
+        Count(ref rest, shapes.Rooms.Count);
+        Count(ref rest, shapes.Plants.Count);
+        foreach (NamedShape one in named)
         {
-            BinaryPrimitives.WriteUInt32LittleEndian(bytes.AsSpan(4 * i), (uint)(groups[i].Length / 3));
-            foreach (float number in MemoryMarshal.Cast<Vector3, float>(groups[i]))
-            {
-                BinaryPrimitives.WriteSingleLittleEndian(rest, number);
-                rest = rest[4..];
-            }
+            Count(ref rest, (int)one.Id);
+            Count(ref rest, one.Triangles.Length / 3);
         }
 
+        foreach (Plant plant in shapes.Plants)
+        {
+            foreach (float number in (ReadOnlySpan<float>)[plant.Low.X, plant.Low.Y, plant.Low.Z, plant.Radius, plant.Height]) Number(ref rest, number);
+            Count(ref rest, plant.IsRound ? 1 : 0);
+        }
+
+        foreach (Vector3[] group in groups)
+            foreach (float number in MemoryMarshal.Cast<Vector3, float>(group)) Number(ref rest, number);
         return bytes;
+    }
+
+    private static void Count(ref Span<byte> rest, int value)
+    {
+        BinaryPrimitives.WriteInt32LittleEndian(rest, value);
+        rest = rest[4..];
+    }
+
+    private static void Number(ref Span<byte> rest, float value)
+    {
+        BinaryPrimitives.WriteSingleLittleEndian(rest, value);
+        rest = rest[4..];
     }
 }

@@ -67,7 +67,11 @@ internal sealed class StandInWorld : IWorkbenchWorld
     }
 
     public BlockShapes? ReadShapes(ushort block) =>
-        block == 0xA9B4 ? new BlockShapes([Vector3.Zero, Vector3.UnitX, Vector3.UnitY], [], [Vector3.Zero, Vector3.UnitX, new Vector3(0, 0, 2)]) : null;
+        block == 0xA9B4
+            ? new BlockShapes(
+                [Vector3.Zero, Vector3.UnitX, Vector3.UnitY], [], [], [new NamedShape(0xA9B40100, [Vector3.Zero, Vector3.UnitX, new Vector3(0, 0, 2)])],
+                [new Plant(new Vector3(1, 2, 3), 0.5f, 4, IsRound: false)])
+            : null;
 
     public void Dispose() => Disposed = true;
 
@@ -95,6 +99,8 @@ internal sealed class StandInWorld : IWorkbenchWorld
 
         public void Goto(WorkbenchPlace where, double time) =>
             Pose = Pose with { CellId = where.CellId, Position = where.Position, Yaw = where.Yaw, Teleports = (byte)(Pose.Teleports + 1) };
+
+        public IReadOnlyList<Touch> Touches => [new Touch(true, TouchKind.Ground, Pose.CellId, Vector3.UnitZ, ""), new Touch(false, TouchKind.Body, DoorId, Vector3.UnitX, "door")];
 
         public void Use(double now) => use();
 

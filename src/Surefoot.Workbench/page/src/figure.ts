@@ -10,6 +10,9 @@ const shin = 0.43;
 const upperArm = 0.3;
 const foreArm = 0.27;
 
+/** What a figure wears. A visitor's clothes are of a colour of its own; a guard has a helmet, a spear and red. */
+export type Outfit = "visitor" | "guard" | "plain";
+
 interface Limb {
   root: THREE.Group;
   joint: THREE.Group;
@@ -37,11 +40,15 @@ export class Figure {
   /**
    * @param player chooses the colours
    * @param name shown over the head; null for nothing
+   * @param outfit what it wears; plain clothes are grey, to be tinted
    */
-  constructor(player: number, name: string | null) {
-    const hue = (0.58 + player * 0.381966) % 1;
-    const cloth = matte(new THREE.Color().setHSL(hue, 0.5, 0.36));
-    const trim = matte(new THREE.Color().setHSL(hue, 0.45, 0.22));
+  constructor(player: number, name: string | null, outfit: Outfit = "visitor") {
+    const guard = outfit === "guard";
+    const hue = guard ? 0 : (0.58 + player * 0.381966) % 1;
+    const saturation = outfit === "plain" ? 0 : 1;
+    const cloth = matte(new THREE.Color().setHSL(hue, 0.5 * saturation, outfit === "plain" ? 0.7 : 0.36));
+    const trim = matte(new THREE.Color().setHSL(guard ? 0.11 : hue, 0.45 * saturation, guard ? 0.4 : outfit === "plain" ? 0.45 : 0.22));
+    cloth.userData.tinted = trim.userData.tinted = outfit === "plain";
     const skin = matte(0xd9a37c);
     const leather = matte(0x4a3423);
     const trousers = matte(0x5b5346);
@@ -71,6 +78,7 @@ export class Figure {
 
     this.legs = [this.leg(-1, trousers, leather), this.leg(1, trousers, leather)];
     this.arms = [this.arm(-1, cloth, skin, leather), this.arm(1, cloth, skin, leather)];
+    if (guard) this.giveArms(matte(0x9aa3ab), leather);
     this.pelvis.position.z = hipHeight;
     this.group.add(this.pelvis);
     this.group.traverse((one) => (one.castShadow = true));
@@ -149,6 +157,18 @@ export class Figure {
     this.chest.rotation.z = Math.sin(this.phase) * 0.14 * moving * ground;
     this.chest.rotation.x = -0.05 * moving + breath - 0.15 * bend;
     this.head.rotation.x = 0.16 * running * ground + 0.3 * bend - 0.1 * this.air;
+  }
+
+  /** Helmet and spear. */
+  private giveArms(steel: THREE.Material, wood: THREE.Material): void {
+    this.head.add(part(new THREE.SphereGeometry(0.14, 18, 10, 0, Math.PI * 2, 0, Math.PI / 2).rotateX(Math.PI / 2), steel, 0, 0, 0.16));
+    this.head.add(part(new THREE.CylinderGeometry(0.165, 0.175, 0.02, 18).rotateX(Math.PI / 2), steel, 0, 0, 0.165));
+    this.head.add(part(new THREE.ConeGeometry(0.03, 0.09, 8).rotateX(Math.PI / 2), steel, 0, 0, 0.33));
+    const spear = new THREE.Group();
+    spear.add(part(new THREE.CylinderGeometry(0.018, 0.018, 2.2, 8).rotateX(Math.PI / 2), wood, 0, 0, 0));
+    spear.add(part(new THREE.ConeGeometry(0.045, 0.22, 8).rotateX(Math.PI / 2), steel, 0, 0, 1.2));
+    spear.position.set(0.42, 0.12, 0.2);
+    this.pelvis.add(spear);
   }
 
   private leg(side: number, cloth: THREE.Material, boot: THREE.Material): Limb {

@@ -1,6 +1,7 @@
 // Everything on the page that is not the world: panel, sliders, bar, menu, help, messages.
 
-import { EventKind, PoseFlag, type OwnPose, type PlayerEvent, type Welcome } from "./wire";
+import { describeFooting, describeTouches } from "./touches";
+import { EventKind, PoseFlag, type OwnPose, type PlayerEvent, type Touch, type Welcome } from "./wire";
 import { formatCell } from "./world";
 import type { ConnectionState } from "./connection";
 
@@ -38,6 +39,7 @@ export class Hud {
   private readonly fields = new Map<string, HTMLElement>();
   private readonly cover = element("cover");
   private readonly bar = element("charge");
+  private readonly prompt = element("prompt");
   private readonly toasts = element("toasts");
   private readonly places = element<HTMLSelectElement>("places");
   private readonly run = element<HTMLInputElement>("run-skill");
@@ -46,7 +48,7 @@ export class Hud {
   private capacity = 1;
   private listed: readonly Place[] = [];
 
-  constructor(private readonly asks: Asks, onTriangles: () => void) {
+  constructor(private readonly asks: Asks, toggles: { triangles: () => void; shapes: () => void }) {
     for (const field of document.querySelectorAll<HTMLElement>("[data-field]")) this.fields.set(field.dataset.field ?? "", field);
     for (const slider of [this.run, this.jump, this.burden]) {
       slider.addEventListener("input", () => this.slid());
@@ -61,7 +63,8 @@ export class Hud {
       this.places.selectedIndex = 0;
       this.places.blur();
     });
-    press("toggle-triangles", onTriangles);
+    press("toggle-triangles", toggles.triangles);
+    press("toggle-shapes", toggles.shapes);
     press("toggle-help", () => this.toggleHelp());
   }
 
@@ -129,6 +132,18 @@ export class Hud {
     this.bar.lastElementChild!.textContent = `Jump ${percent} %`;
   }
 
+  showTouches(touches: readonly Touch[]): void {
+    this.set("footing", describeFooting(touches));
+    this.set("touches", describeTouches(touches));
+  }
+
+  /** What the key for doors would do here. */
+  showDoor(door: { name: string; open: boolean } | null): void {
+    this.prompt.hidden = door === null;
+    const text = door?.open ? "closes the door" : "opens the door";
+    if (door && this.prompt.lastElementChild!.textContent !== text) this.prompt.lastElementChild!.textContent = text;
+  }
+
   showFps(fps: number): void {
     this.set("fps", `${fps.toFixed(0)} /s`);
   }
@@ -153,6 +168,10 @@ export class Hud {
   showTriangles(shown: boolean): void {
     element("legend").hidden = !shown;
     element("toggle-triangles").setAttribute("aria-pressed", String(shown));
+  }
+
+  showShapes(shown: boolean): void {
+    element("toggle-shapes").setAttribute("aria-pressed", String(shown));
   }
 
   toggleHelp(shown = element("help").hidden): void {

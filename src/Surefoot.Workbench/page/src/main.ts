@@ -2,7 +2,9 @@
 
 import * as THREE from "three";
 import "./style.css";
+import { Bodies } from "./bodies";
 import { Connection } from "./connection";
+import { Cutaway } from "./cutaway";
 import { Figure } from "./figure";
 import { Hud, type Place } from "./hud";
 import { Keyboard } from "./keys";
@@ -11,7 +13,7 @@ import { Stage } from "./stage";
 import { Terrain } from "./terrain";
 import { horizonColor, sunDirection, zenithColor } from "./sky";
 import { PoseTimeline, ServerClock, type Drawn } from "./timeline";
-import { PoseFlag, type Others, type OwnPose, type PlayerEvent, type ServerFrame, type Welcome } from "./wire";
+import { PoseFlag, type BodyPose, type Others, type OwnPose, type PlayerEvent, type ServerFrame, type Touch, type Welcome } from "./wire";
 import { blockOf, blockSide } from "./world";
 
 const rebaseDistance = 4000;
@@ -24,8 +26,10 @@ interface Player {
 
 const canvas = document.getElementById("view") as HTMLCanvasElement;
 const stage = new Stage(canvas);
-const terrain = new Terrain(stage.noise, sunDirection, horizonColor, zenithColor);
-const objects = new Objects();
+const cutaway = new Cutaway();
+const terrain = new Terrain(stage.noise, sunDirection, horizonColor, zenithColor, cutaway);
+const objects = new Objects(cutaway);
+const bodies = new Bodies();
 const origin = new THREE.Vector3();
 const others = new Map<number, Player>();
 let me: Player | null = null;
@@ -33,6 +37,7 @@ let welcome: Welcome | null = null;
 let pose: OwnPose | null = null;
 let clock = new ServerClock(1 / 30);
 let places: Place[] = [];
+let touches: Touch[] = [];
 let drawnTeleports = -1;
 let frame = 0;
 let drawnAt = 0;
@@ -47,11 +52,11 @@ const hud = new Hud(
     settings: (run, jump, burden) => connection.sendSettings(run, jump, burden),
     goto: (place) => connection.sendGoto(place),
   },
-  toggleTriangles,
+  { triangles: toggleTriangles, shapes: toggleShapes },
 );
 const keyboard = new Keyboard((bits) => connection.sendKeys(bits), command);
 
-stage.scene.add(terrain.group, objects.group);
+stage.scene.add(terrain.group, objects.group, bodies.group);
 void loadPlaces();
 connection.open();
 requestAnimationFrame(draw);
@@ -70,6 +75,13 @@ function receive(message: ServerFrame): void {
     case "others":
       showOthers(message);
       break;
+    case "bodies":
+      bodies.receive(message);
+      break;
+    case "touches":
+      touches = message.touches;
+      hud.showTouches(touches);
+      break;
     case "event":
       events.push(message);
       if (events.length > 32) events.shift();
@@ -82,6 +94,7 @@ function enter(message: Welcome): void {
   welcome = message;
   clock = new ServerClock(message.minQuantum);
   for (const id of [...others.keys()]) leave(id);
+  bodies.clear();
   if (me) remove(me);
   me = add(message.player, null);
   drawnTeleports = -1;
@@ -132,6 +145,7 @@ function draw(): void {
   drawnAt = time;
   if (me && pose) drawMe(me, pose, time, now, dt);
   for (const player of others.values()) move(player, time, now, dt);
+  bodies.update(time, origin, now, dt);
   terrain.uniforms.time.value = now % 3600;
   stage.sky.update(stage.view.camera.position, now % 3600);
   stage.render(elapsed);
@@ -144,7 +158,7 @@ function drawMe(player: Player, last: OwnPose, time: number, now: number, dt: nu
   move(player, time, now, dt);
   if (terrain.update(block)) stage.grass.invalidate();
   const indoors = (last.cell & 0xffff) >= 0x100;
-  objects.update(block, indoors);
+  objects.update(block);
   if (!player.drawn) return;
   if (player.drawn.teleports !== drawnTeleports) {
     drawnTeleports = player.drawn.teleports;
@@ -156,6 +170,8 @@ function drawMe(player: Player, last: OwnPose, time: number, now: number, dt: nu
   const feet = player.figure.group.position;
   stage.lights.follow(feet);
   stage.view.update(feet, player.drawn.yaw, dt, indoors, (x, y) => terrain.heightAt(x + origin.x, y + origin.y));
+  cutaway.update(stage.view.camera.position, feet, indoors, objects.topOf(last.cell), objects.shellsAround(block));
+  hud.showDoor(bodies.doorAt(player.drawn.position));
   hud.showCharge((last.flags & PoseFlag.Charging) !== 0, player.drawn.charge);
   if (terrain.drawn > 0) hud.uncover();
 }
@@ -177,6 +193,7 @@ function rebase(block: number): void {
   origin.set((block >> 8) * blockSide, (block & 0xff) * blockSide, 0);
   terrain.setOrigin(block >> 8, block & 0xff);
   objects.setOrigin(block >> 8, block & 0xff);
+  bodies.rebased();
   stage.grass.invalidate();
   stage.view.cut();
 }
@@ -187,10 +204,21 @@ function toggleTriangles(): void {
   hud.showTriangles(shown);
 }
 
+function toggleShapes(): void {
+  objects.showsPlain = bodies.showsPlain = !objects.showsPlain;
+  hud.showShapes(objects.showsPlain);
+}
+
 function command(code: string): void {
   switch (code) {
     case "KeyT":
       toggleTriangles();
+      break;
+    case "KeyV":
+      toggleShapes();
+      break;
+    case "KeyF":
+      connection.sendUse();
       break;
     case "KeyC":
       stage.view.recenter();
@@ -263,6 +291,24 @@ const inspection = {
   },
   get shapes(): number {
     return objects.triangles;
+  },
+  /** The bodies near by that are no players, as last told. */
+  get bodies(): BodyPose[] {
+    return bodies.poses;
+  },
+  get touches(): Touch[] {
+    return touches;
+  },
+  /** What is drawn: people of the crowd, plants, how far a door near by is swung open (0 to 1). */
+  get drawnThings(): { crowd: number; plants: number; door: number | null } {
+    return { crowd: bodies.crowdCount, plants: objects.plantCount, door: bodies.doorOpened };
+  },
+  /** What is cut away: 1 the shell around the player, 2 the building around the camera; floors from this height on. */
+  get cut(): { opens: number; ceiling: number } {
+    return { opens: cutaway.opens, ceiling: cutaway.ceiling };
+  },
+  get plainShapes(): boolean {
+    return objects.showsPlain;
   },
   get triangles(): boolean {
     return terrain.uniforms.triangles.value > 0;

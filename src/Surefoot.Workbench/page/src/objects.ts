@@ -1,6 +1,9 @@
-// Objects, buildings and rooms around the player, as the shapes that bodies collide with.
+// Objects, buildings, rooms and scenery around the player: the shapes that bodies collide with, plants drawn as plants unless the plain shapes are asked for.
 
 import * as THREE from "three";
+import type { Box, Cutaway } from "./cutaway";
+import { Plants } from "./plants";
+import { decodeShapes, type NamedShape, type Shapes } from "./shapes";
 import { blockSide } from "./world";
 
 const drawRadius = 3;
@@ -8,55 +11,110 @@ const keepRadius = 5;
 const fetchesAtOnce = 3;
 const sharpEdge = 20;
 
-interface Shapes {
+interface Block {
   group: THREE.Group;
-  shells: THREE.Group;
+  plants: THREE.Group;
+  /** What is drawn of plants and rocks when the plain shapes are asked for. */
+  plain: THREE.Group;
+  shells: { low: THREE.Box3; world: Box }[];
+  /** Lowest and highest z of each room, by cell. */
+  rooms: Map<number, { floor: number; top: number }>;
 }
 
 export class Objects {
   readonly group = new THREE.Group();
-  private readonly materials = {
-    objects: new THREE.MeshLambertMaterial({ color: 0x9c8460, flatShading: true }),
-    shells: new THREE.MeshLambertMaterial({ color: 0xcdb58e, flatShading: true }),
-    // Floors lie in the ground's own plane.
-    rooms: new THREE.MeshLambertMaterial({ color: 0xb59f7d, emissive: 0x2e271d, flatShading: true, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -2 }),
-  };
-  private readonly edges = new THREE.LineBasicMaterial({ color: 0x2a2018, transparent: true, opacity: 0.45 });
-  private readonly blocks = new Map<number, Shapes | "none" | "asked">();
+  private readonly materials;
+  private readonly edges;
+  private readonly plants: Plants;
+  private readonly blocks = new Map<number, Block | "none" | "asked">();
   private asked = 0;
   private retryAt = 0;
   private center = -1;
   private originX = 0;
   private originY = 0;
-  private indoors = false;
+  private plain = false;
+
+  constructor(cutaway: Cutaway) {
+    this.materials = {
+      objects: cutaway.cut(new THREE.MeshLambertMaterial({ color: 0x9c8460, flatShading: true }), "thing"),
+      rocks: cutaway.cut(new THREE.MeshLambertMaterial({ vertexColors: true, flatShading: true }), "thing"),
+      shells: cutaway.cut(new THREE.MeshLambertMaterial({ color: 0xcdb58e, flatShading: true }), "shell"),
+      // Floors lie in the ground's own plane.
+      rooms: cutaway.cut(
+        new THREE.MeshLambertMaterial({ color: 0xb59f7d, emissive: 0x2e271d, flatShading: true, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -2 }),
+        "room",
+      ),
+    };
+    const line = (): THREE.LineBasicMaterial => new THREE.LineBasicMaterial({ color: 0x2a2018, transparent: true, opacity: 0.45 });
+    this.edges = { thing: cutaway.cut(line(), "thing"), shell: cutaway.cut(line(), "shell"), room: cutaway.cut(line(), "room") };
+    this.plants = new Plants(cutaway, this.materials.objects);
+  }
 
   /** Triangles drawn. */
   get triangles(): number {
     let sum = 0;
-    this.group.traverse((one) => {
-      if (one instanceof THREE.Mesh) sum += (one.geometry as THREE.BufferGeometry).getAttribute("position").count / 3;
+    this.group.traverseVisible((one) => {
+      if (!(one instanceof THREE.Mesh)) return;
+      const geometry = one.geometry as THREE.BufferGeometry;
+      const corners = geometry.index?.count ?? geometry.getAttribute("position").count;
+      sum += (corners / 3) * (one instanceof THREE.InstancedMesh ? one.count : 1);
     });
     return sum;
+  }
+
+  /** Plants that are drawn as plants. */
+  get plantCount(): number {
+    let sum = 0;
+    if (!this.plain) for (const block of this.loaded()) for (const one of block.plants.children) if (one instanceof THREE.InstancedMesh) sum += one.count;
+    return sum;
+  }
+
+  /** Plain collision shapes instead of plants and rocks. */
+  get showsPlain(): boolean {
+    return this.plain;
+  }
+
+  set showsPlain(shown: boolean) {
+    this.plain = shown;
+    for (const block of this.loaded()) this.choose(block);
   }
 
   setOrigin(blockX: number, blockY: number): void {
     this.originX = blockX;
     this.originY = blockY;
-    for (const [block, shapes] of this.blocks) if (typeof shapes === "object") this.place(shapes.group, block);
+    for (const [id, block] of this.blocks) if (typeof block === "object") this.place(block, id);
   }
 
-  /**
-   * @param block the player's landblock
-   * @param indoors the player is in a room: the outsides of buildings step out of the view
-   */
-  update(block: number, indoors: boolean): void {
-    if (indoors !== this.indoors) {
-      this.indoors = indoors;
-      for (const shapes of this.blocks.values()) if (typeof shapes === "object") shapes.shells.visible = !indoors;
-    }
+  /** Fetches what is near the player's landblock and drops what is far. */
+  update(block: number): void {
     if (block !== this.center) this.drop(block);
     this.center = block;
     for (let ring = 0; ring <= drawRadius && this.asked < fetchesAtOnce && performance.now() >= this.retryAt; ring++) this.askRing(block, ring);
+  }
+
+  /** Boxes around the buildings of a landblock and its neighbours, relative to the origin. */
+  *shellsAround(block: number): Iterable<Box> {
+    for (let dx = -1; dx <= 1; dx++) {
+      for (let dy = -1; dy <= 1; dy++) {
+        const near = this.blocks.get((((block >> 8) + dx) << 8) | ((block & 0xff) + dy));
+        if (typeof near === "object") for (const shell of near.shells) yield shell.world;
+      }
+    }
+  }
+
+  /** The top of a room, metres; null when the room has not come. */
+  topOf(cell: number): number | null {
+    const block = this.blocks.get(cell >>> 16);
+    return typeof block === "object" ? (block.rooms.get(cell)?.top ?? null) : null;
+  }
+
+  private *loaded(): Iterable<Block> {
+    for (const block of this.blocks.values()) if (typeof block === "object") yield block;
+  }
+
+  private choose(block: Block): void {
+    block.plants.visible = !this.plain;
+    block.plain.visible = this.plain;
   }
 
   private askRing(block: number, ring: number): void {
@@ -70,45 +128,46 @@ export class Objects {
     }
   }
 
-  private async fetch(block: number): Promise<void> {
+  private async fetch(id: number): Promise<void> {
     this.asked++;
-    this.blocks.set(block, "asked");
+    this.blocks.set(id, "asked");
     try {
-      const answer = await fetch(`/shapes/${block.toString(16).padStart(4, "0")}`);
-      const shapes = answer.status === 200 ? this.build(await answer.arrayBuffer()) : null;
-      this.blocks.set(block, shapes ?? "none");
-      if (shapes) {
-        this.place(shapes.group, block);
-        this.group.add(shapes.group);
-      }
+      const answer = await fetch(`/shapes/${id.toString(16).padStart(4, "0")}`);
+      const shapes = answer.status === 200 ? decodeShapes(await answer.arrayBuffer()) : null;
+      this.blocks.set(id, "none");
+      if (shapes) this.add(id, shapes);
     } catch {
       // The server is away: ask again, but not with every frame.
-      this.blocks.delete(block);
+      this.blocks.delete(id);
       this.retryAt = performance.now() + 1000;
     } finally {
       this.asked--;
     }
   }
 
-  private build(buffer: ArrayBuffer): Shapes | null {
-    if (buffer.byteLength < 12) return null;
-    const counts = new Uint32Array(buffer, 0, 3);
-    const total = counts[0] + counts[1] + counts[2];
-    if (total === 0 || buffer.byteLength !== 12 + total * 36) return null;
-    const group = new THREE.Group();
-    const shells = new THREE.Group();
-    let start = 12;
-    for (const [index, kind] of (["objects", "shells", "rooms"] as const).entries()) {
-      const numbers = counts[index] * 9;
-      if (numbers > 0) (kind === "shells" ? shells : group).add(...this.mesh(new Float32Array(buffer, start, numbers), this.materials[kind]));
-      start += numbers * 4;
+  private add(id: number, shapes: Shapes): void {
+    const block: Block = { group: new THREE.Group(), plants: new THREE.Group(), plain: new THREE.Group(), shells: [], rooms: new Map() };
+    const solid = (numbers: Float32Array, to: THREE.Group): void => {
+      if (numbers.length > 0) to.add(...this.mesh(numbers, this.materials.objects, this.edges.thing));
+    };
+    solid(shapes.objects, block.group);
+    solid(shapes.rocks, block.plain);
+    this.plants.addTo(block.plants, block.plain, shapes.plants);
+    if (shapes.rocks.length > 0) block.plants.add(this.rocks(shapes.rocks));
+    for (const shell of shapes.shells) {
+      if (shell.triangles.length === 0) continue;
+      block.shells.push({ low: boxOf(shell), world: { min: new THREE.Vector3(), max: new THREE.Vector3() } });
+      block.group.add(...this.mesh(shell.triangles, this.materials.shells, this.edges.shell));
     }
-    shells.visible = !this.indoors;
-    group.add(shells);
-    return { group, shells };
+    if (shapes.rooms.length > 0) block.group.add(...this.rooms(shapes.rooms, block));
+    block.group.add(block.plants, block.plain);
+    this.choose(block);
+    this.place(block, id);
+    this.blocks.set(id, block);
+    this.group.add(block.group);
   }
 
-  private mesh(positions: Float32Array, material: THREE.Material): THREE.Object3D[] {
+  private mesh(positions: Float32Array, material: THREE.Material, edges: THREE.Material): [THREE.Mesh, THREE.LineSegments] {
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
     geometry.computeVertexNormals();
@@ -116,23 +175,84 @@ export class Objects {
     // A room's ceiling would put all of it in the shade.
     mesh.castShadow = material !== this.materials.rooms;
     mesh.receiveShadow = true;
-    return [mesh, new THREE.LineSegments(new THREE.EdgesGeometry(geometry, sharpEdge), this.edges)];
+    return [mesh, new THREE.LineSegments(new THREE.EdgesGeometry(geometry, sharpEdge), edges)];
   }
 
-  private place(group: THREE.Group, block: number): void {
-    group.position.set(((block >> 8) - this.originX) * blockSide, ((block & 0xff) - this.originY) * blockSide, 0);
+  /** All rooms of a block in one mesh; each corner knows its room's floor, so that rooms above the player's can be left out. */
+  private rooms(rooms: NamedShape[], block: Block): [THREE.Mesh, THREE.LineSegments] {
+    const corners: number[] = [];
+    const floors: number[] = [];
+    const lines: number[] = [];
+    const lineFloors: number[] = [];
+    for (const room of rooms) {
+      if (room.triangles.length === 0) continue;
+      const box = boxOf(room);
+      block.rooms.set(room.id, { floor: box.min.z, top: box.max.z });
+      const part = new THREE.BufferGeometry();
+      part.setAttribute("position", new THREE.BufferAttribute(room.triangles, 3));
+      const edges = new THREE.EdgesGeometry(part, sharpEdge).getAttribute("position").array;
+      for (const number of room.triangles) corners.push(number);
+      for (const number of edges) lines.push(number);
+      for (let i = 0; i < room.triangles.length / 3; i++) floors.push(box.min.z);
+      for (let i = 0; i < edges.length / 3; i++) lineFloors.push(box.min.z);
+    }
+    const [mesh] = this.mesh(new Float32Array(corners), this.materials.rooms, this.edges.room);
+    mesh.geometry.setAttribute("roomFloor", new THREE.BufferAttribute(new Float32Array(floors), 1));
+    const outline = new THREE.BufferGeometry();
+    outline.setAttribute("position", new THREE.BufferAttribute(new Float32Array(lines), 3));
+    outline.setAttribute("roomFloor", new THREE.BufferAttribute(new Float32Array(lineFloors), 1));
+    return [mesh, new THREE.LineSegments(outline, this.edges.room)];
+  }
+
+  /** Grey stone, a little different from face to face, mossy where it looks up. */
+  private rocks(positions: Float32Array): THREE.Mesh {
+    const colors = new Float32Array(positions.length);
+    const a = new THREE.Vector3();
+    const b = new THREE.Vector3();
+    const c = new THREE.Vector3();
+    const normal = new THREE.Vector3();
+    const color = new THREE.Color();
+    for (let at = 0; at < positions.length; at += 9) {
+      a.fromArray(positions, at);
+      b.fromArray(positions, at + 3);
+      c.fromArray(positions, at + 6);
+      normal.subVectors(b, a).cross(c.sub(a)).normalize();
+      const grain = Math.abs(Math.sin(normal.x * 41.3 + normal.y * 17.9 + a.x * 3.1 + a.y * 5.7)) * 0.14;
+      color.setHSL(0.09 + 0.1 * Math.max(0, normal.z), 0.08 + 0.14 * Math.max(0, normal.z), 0.36 + grain);
+      for (let k = 0; k < 3; k++) color.toArray(colors, at + k * 3);
+    }
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
+    geometry.setAttribute("color", new THREE.BufferAttribute(colors, 3));
+    geometry.computeVertexNormals();
+    const mesh = new THREE.Mesh(geometry, this.materials.rocks);
+    mesh.castShadow = mesh.receiveShadow = true;
+    return mesh;
+  }
+
+  private place(block: Block, id: number): void {
+    block.group.position.set(((id >> 8) - this.originX) * blockSide, ((id & 0xff) - this.originY) * blockSide, 0);
+    for (const { low, world } of block.shells) {
+      world.min.addVectors(low.min, block.group.position);
+      world.max.addVectors(low.max, block.group.position);
+    }
   }
 
   private drop(center: number): void {
-    for (const [block, shapes] of this.blocks) {
-      const far = Math.max(Math.abs((block >> 8) - (center >> 8)), Math.abs((block & 0xff) - (center & 0xff)));
-      if (far <= keepRadius || shapes === "asked") continue;
-      this.blocks.delete(block);
-      if (shapes === "none") continue;
-      this.group.remove(shapes.group);
-      shapes.group.traverse((one) => {
-        if (one instanceof THREE.Mesh || one instanceof THREE.LineSegments) (one.geometry as THREE.BufferGeometry).dispose();
+    for (const [id, block] of this.blocks) {
+      const far = Math.max(Math.abs((id >> 8) - (center >> 8)), Math.abs((id & 0xff) - (center & 0xff)));
+      if (far <= keepRadius || block === "asked") continue;
+      this.blocks.delete(id);
+      if (block === "none") continue;
+      this.group.remove(block.group);
+      block.group.traverse((one) => {
+        if (one instanceof THREE.InstancedMesh) one.dispose();
+        else if (one instanceof THREE.Mesh || one instanceof THREE.LineSegments) (one.geometry as THREE.BufferGeometry).dispose();
       });
     }
   }
+}
+
+function boxOf(shape: NamedShape): THREE.Box3 {
+  return new THREE.Box3().setFromArray(shape.triangles);
 }

@@ -1,6 +1,7 @@
 // The landblocks around the player: fetched once each, drawn from exactly the triangles that physics stands on, dropped when far.
 
 import * as THREE from "three";
+import type { Cutaway } from "./cutaway";
 import { blockSide, cellSide, decodeTerrain, heightInBlock, type TerrainBlock } from "./world";
 import { isGrassy, isRoad, isWater, terrainColors, terrainType } from "./terrainTypes";
 import { makeTerrainMaterial, type TerrainUniforms } from "./terrainMaterial";
@@ -25,7 +26,7 @@ export class Terrain {
   private originX = 0;
   private originY = 0;
 
-  constructor(noise: THREE.Texture, sun: THREE.Vector3, horizon: THREE.Color, zenith: THREE.Color) {
+  constructor(noise: THREE.Texture, sun: THREE.Vector3, horizon: THREE.Color, zenith: THREE.Color, cutaway: Cutaway) {
     this.uniforms = {
       time: { value: 0 },
       triangles: { value: 0 },
@@ -35,7 +36,7 @@ export class Terrain {
       zenith: { value: zenith },
       noise: { value: noise },
     };
-    this.material = makeTerrainMaterial(this.uniforms);
+    this.material = cutaway.cut(makeTerrainMaterial(this.uniforms), "ground");
   }
 
   /** Number of landblocks drawn. */

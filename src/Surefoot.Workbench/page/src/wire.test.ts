@@ -27,12 +27,14 @@ describe("frames of the server", () => {
     expect(decode(bytes(samples.others.hex))).toEqual({ kind: "others", time: samples.others.time, players: [player] });
     const bodies = samples.bodies.bodies.map((one) => ({ ...one, position: vec(one.position), velocity: vec(one.velocity), size: vec(one.size) }));
     expect(decode(bytes(samples.bodies.hex))).toEqual({ kind: "bodies", time: samples.bodies.time, bodies });
+    const touches = samples.touches.touches.map((one) => ({ ...one, normal: vec(one.normal) }));
+    expect(decode(bytes(samples.touches.hex))).toEqual({ kind: "touches", touches });
     const { hex: eventHex, ...event } = samples.event;
     expect(decode(bytes(eventHex))).toEqual({ kind: "event", ...event });
   });
 
   it("are refused when their length is wrong", () => {
-    for (const hex of [samples.welcome.hex, samples.pose.hex, samples.others.hex, samples.event.hex, samples.bodies.hex]) {
+    for (const hex of [samples.welcome.hex, samples.pose.hex, samples.others.hex, samples.event.hex, samples.bodies.hex, samples.touches.hex]) {
       const whole = bytes(hex);
       for (let length = 0; length < whole.byteLength; length++) expect(decode(whole.slice(0, length))).toBeNull();
     }

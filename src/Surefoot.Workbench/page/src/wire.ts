@@ -107,6 +107,20 @@ export interface Bodies {
   bodies: BodyPose[];
 }
 
+/** Something the player stands on (`footing`) or touches. The normal points from it to the player. */
+export interface Touch {
+  footing: boolean;
+  type: number;
+  id: number;
+  normal: Vec3;
+  name: string;
+}
+
+export interface Touches {
+  kind: "touches";
+  touches: Touch[];
+}
+
 export interface PlayerEvent {
   kind: "event";
   event: number;
@@ -115,9 +129,9 @@ export interface PlayerEvent {
   code: number;
 }
 
-export type ServerFrame = Welcome | OwnPose | Others | PlayerEvent | Bodies;
+export type ServerFrame = Welcome | OwnPose | Others | PlayerEvent | Bodies | Touches;
 
-const lengths = { welcome: 30, pose: 102, othersHeader: 11, other: 52, event: 18, bodiesHeader: 11, body: 56 };
+const lengths = { welcome: 30, pose: 102, othersHeader: 11, other: 52, event: 18, bodiesHeader: 11, body: 56, touchesHeader: 2, touch: 20 };
 
 export function encodeInput(keys: number, sequence: number): ArrayBuffer {
   const view = new DataView(new ArrayBuffer(6));
@@ -162,6 +176,8 @@ export function decode(buffer: ArrayBuffer): ServerFrame | null {
       return buffer.byteLength === lengths.event ? decodeEvent(read) : null;
     case 0x85:
       return buffer.byteLength >= lengths.bodiesHeader ? decodeBodies(read) : null;
+    case 0x86:
+      return buffer.byteLength >= lengths.touchesHeader ? decodeTouches(read) : null;
     default:
       return null;
   }
@@ -250,6 +266,23 @@ function decodeBodies(read: Reader): Bodies | null {
     bodies.push({ body, type, flags, name: read.text(nameLength), cell, position, yaw, velocity, scale, size });
   }
   return read.left === 0 ? { kind: "bodies", time, bodies } : null;
+}
+
+function decodeTouches(read: Reader): Touches | null {
+  const count = read.u8();
+  const touches: Touch[] = [];
+  for (let i = 0; i < count; i++) {
+    if (read.left < lengths.touch) return null;
+    const footing = read.u8() !== 0;
+    const type = read.u8();
+    const nameLength = read.u8();
+    read.u8();
+    const id = read.u32();
+    const normal = read.vec3();
+    if (read.left < nameLength) return null;
+    touches.push({ footing, type, id, normal, name: read.text(nameLength) });
+  }
+  return read.left === 0 ? { kind: "touches", touches } : null;
 }
 
 function decodeEvent(read: Reader): PlayerEvent {
