@@ -28,7 +28,7 @@ internal enum Stand
 
     /// <summary>
     /// The centre is in a leaf marked solid and no polygon is touched: sweeps ask polygons only, and the mark is consulted only when a body is placed
-    /// (specification 04, 4.5 and 4.6). Met in the hollow of a building, where a room begins to be reached whose faces are still out of reach.
+    /// (specification 04, 4.5 and 4.6). Met in the hollow of a building: a room is reached one centimetre (04, 3, CELL_FUDGE) before its faces are.
     /// </summary>
     SolidWithoutFaces,
 }

@@ -81,7 +81,9 @@ internal sealed class StepMeter : ITransitionTrace
 }
 
 /// <summary>
-/// How far a step may lead: as far as asked, plus the step heights. Each property that allows more is an exception that the specification makes.
+/// How far a step may lead: as far as asked, plus the step heights. Each property that allows more is an exception that the specification makes, and is pinned
+/// with its numbers by a behaviour of its own: <c>transition.offset.bends</c>, <c>transition.offset.unsinks</c>, <c>transition.slide.table</c>,
+/// <c>transition.cliff-slide.table</c>, <c>transition.terrain-contact.table</c>, <c>bsp.step-down.reach</c>, <c>polygon.rest.before-the-begin</c>.
 /// </summary>
 internal readonly struct Reach(StepMeter.Step step, PhysicsBody body)
 {

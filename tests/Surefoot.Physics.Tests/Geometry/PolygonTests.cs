@@ -118,6 +118,18 @@ public class PolygonTests
         Assert.Equal(afterInterp, interp);
     }
 
+    [Fact, Behaviour("polygon.rest.before-the-begin", "spec/04, 4.4 adjust_sphere_to_plane step 4: (1 - t) is multiplied with what is left before it is compared")]
+    public void A_sphere_that_an_earlier_polygon_adjusted_may_be_pulled_back_to_before_its_begin()
+    {
+        // 0.2 m too deep, at 0.1 m down a movement: t = 2, and (1 - 2) * 0.25 is above the floor of -0.5.
+        float interp = 0.25f;
+        Sphere sphere = Half(0, 0, 0.3f);
+        Assert.True(Polygon(Floor).AdjustSphereToPlane(ref sphere, new Vector3(0.3f, 0, -0.1f), ref interp));
+        Assert.Equal(-0.6f, sphere.Center.X, 1e-6f);
+        Assert.Equal(0.5f, sphere.Center.Z, 1e-6f);
+        Assert.Equal(-0.25f, interp, 1e-6f);
+    }
+
     [Theory, Behaviour("polygon.rest.refused", "spec/04, 6.4 E4 to E8")]
     [InlineData(0.3, 0, -0.1)]
     [InlineData(0.3, 0, 1)]
