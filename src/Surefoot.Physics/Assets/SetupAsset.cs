@@ -16,10 +16,13 @@ public readonly record struct SetupPart(GfxObjAsset Mesh, Vector3 DefaultScale);
 /// <remarks>Retail: CSetup; specification 06.</remarks>
 public sealed class SetupAsset
 {
+    private const double FarMargin = 0.1;
+
     private readonly SetupPart[] parts = [];
     private readonly Sphere[] spheres = [];
     private readonly CylSphere[] cylinders = [];
     private readonly Dictionary<uint, Frame[]> placements = [];
+    private readonly double spheresReach;
     private Frame[] defaultPlacement = [];
 
     /// <summary>Id of the record: 0x02…, or 0x01… for a setup made up for one mesh.</summary>
@@ -40,7 +43,11 @@ public sealed class SetupAsset
     public ReadOnlySpan<Sphere> Spheres
     {
         get => spheres;
-        init => spheres = value.ToArray();
+        init
+        {
+            spheres = value.ToArray();
+            foreach (ref readonly Sphere sphere in value) spheresReach = Math.Max(spheresReach, RetailMath.Length(sphere.Center) + sphere.Radius);
+        }
     }
 
     /// <summary>Collision cylinders in the object's frame.</summary>
@@ -176,7 +183,7 @@ public sealed class SetupAsset
             if (state != TransitionState.OK) return state;
         }
 
-        if (cylinders.Length > 0) return TransitionState.OK;
+        if (cylinders.Length > 0 || IsFarAway(transition.Path, position, Math.Abs((double)scale) * spheresReach)) return TransitionState.OK;
         foreach (ref readonly Sphere sphere in spheres.AsSpan())
         {
             TransitionState state = SphereCollision.IntersectsSphere(transition, position, scale, sphere, creature);
@@ -186,21 +193,22 @@ public sealed class SetupAsset
         return TransitionState.OK;
     }
 
-    /// <summary>
-    /// True when a part is so far from the body that its bounding sphere is missed however it is turned; saves turning it. Never true where retail's own
-    /// test would not end in OK: a tenth of a metre, in either frame, covers the roundings.
-    /// </summary>
+    /// <summary>True when a part's bounding sphere is missed however it is turned; saves turning it.</summary>
     private static bool IsFarAway(SpherePath path, in Position target, in SetupPart part, in Vector3 poseOrigin, float scale)
     {
-        const double Margin = 0.1;
-        Vector3 origin = target.Frame.Origin + CellIds.BlockOffset(path.CheckPos.CellId, target.CellId);
         double size = Math.Abs((double)scale), partSize = Math.Abs(part.DefaultScale.Z * (double)scale);
-        double reach = (size * RetailMath.Length(poseOrigin)) + (partSize * (part.Mesh.PhysicsReach + Margin)) + Margin;
-        double body = 0;
+        return IsFarAway(path, target, (size * RetailMath.Length(poseOrigin)) + (partSize * (part.Mesh.PhysicsReach + FarMargin)));
+    }
+
+    /// <summary>
+    /// True when the body is so far from an object that nothing within <paramref name="reach"/> metres of the object's origin is touched. Never true where
+    /// retail's own test would not end in OK: a tenth of a metre, in either frame, covers the roundings.
+    /// </summary>
+    private static bool IsFarAway(SpherePath path, in Position target, double reach)
+    {
+        Vector3 origin = target.Frame.Origin + CellIds.BlockOffset(path.CheckPos.CellId, target.CellId);
         // From the position, not from the global spheres: those do not see a turn of the position under test, the part's test does.
-        foreach (ref readonly Sphere sphere in path.LocalSpheres.AsSpan(0, path.SphereCount))
-            body = Math.Max(body, RetailMath.Length(sphere.Center) + sphere.Radius);
-        double limit = reach + body;
+        double limit = reach + FarMargin + path.LocalReach;
         // False, so that nothing is skipped, when a scale is NaN.
         return RetailMath.LengthSquared(path.CheckPos.Frame.Origin - origin) > limit * limit;
     }

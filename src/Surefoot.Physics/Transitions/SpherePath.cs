@@ -16,6 +16,9 @@ public sealed class SpherePath
     public const int MaxSpheres = 2;
 
     internal readonly Sphere[] LocalSpheres = new Sphere[MaxSpheres];
+
+    /// <summary>How far from the body's origin its spheres reach however it is turned, metres.</summary>
+    internal double LocalReach;
     internal readonly Sphere[] GlobalSpheres = new Sphere[MaxSpheres];
     internal readonly Vector3[] GlobalCurrCenters = new Vector3[MaxSpheres];
     internal readonly Sphere[] LocalSpaceSpheres = new Sphere[MaxSpheres];
@@ -108,6 +111,9 @@ public sealed class SpherePath
             LocalSpheres[i] = new Sphere(RetailMath.Scale(spheres[i].Center, scale), (float)((double)spheres[i].Radius * scale));
         LocalLowPoint = LocalSpheres[0].Center;
         LocalLowPoint.Z -= LocalSpheres[0].Radius;
+        LocalReach = 0;
+        foreach (ref readonly Sphere sphere in LocalSpheres.AsSpan(0, SphereCount))
+            LocalReach = Math.Max(LocalReach, RetailMath.Length(sphere.Center) + sphere.Radius);
     }
 
     /// <summary>Sets where the path begins and ends; without a begin the body is placed at the end.</summary>
