@@ -34,13 +34,13 @@ public sealed class CellBsp
     /// <summary>The bounding planes in the order of the chain, normals inwards.</summary>
     public ReadOnlySpan<Plane> Planes => planes;
 
-    /// <summary>Is a point, in the room's frame, inside? A point less than the tolerance behind a plane still is.</summary>
+    /// <summary>Is a point, in the room's frame, inside? A point less than the tolerance behind a plane still is; NaN is not.</summary>
     /// <remarks>Retail: BSPNODE::point_inside_cell_bsp @0x0053C1F0.</remarks>
     public bool PointInside(in Vector3 point)
     {
         foreach (ref readonly Plane plane in planes.AsSpan())
         {
-            if (RetailMath.Distance(plane, point) < -RetailMath.Epsilon) return false;
+            if (!(RetailMath.Distance(plane, point) >= -RetailMath.Epsilon)) return false;
         }
 
         return true;

@@ -110,6 +110,7 @@ internal static class SphereCollision
         if (Math.Abs(step) < RetailMath.Epsilon) return TransitionState.Collided;
 
         float stepStored = (float)step, reach = (float)((double)radiusSum + RetailMath.Epsilon);
+        // Stored in both factors: the prose of specification 04, 4.8, has one unrounded, its example 6.12 comes out to the last bit only so.
         double squared = ((double)reach * reach) -
                          ((double)(float)((double)offset.X * offset.X) + (float)((double)offset.Y * offset.Y));
         double t = (Math.Sqrt(squared) - offset.Z) / stepStored, left = (1 - t) * path.WalkInterp;

@@ -54,12 +54,12 @@ public static class RetailMath
     /// <remarks>Retail: AC1Legacy::Vector3::normalize @0x00452400.</remarks>
     public static Vector3 Normalize(in Vector3 v) => Scale(v, 1.0 / Length(v));
 
-    /// <summary>Normalises <paramref name="v"/> unless it is shorter than <see cref="Epsilon"/>; true when it was too small.</summary>
+    /// <summary>Normalises <paramref name="v"/> unless it is shorter than <see cref="Epsilon"/>, or NaN; true when it was left as it is.</summary>
     /// <remarks>Retail: AC1Legacy::Vector3::normalize_check_small @0x00452460.</remarks>
     public static bool NormalizeCheckSmall(ref Vector3 v)
     {
         double length = Length(v);
-        if (length < Epsilon) return true;
+        if (!(length >= Epsilon)) return true;
         v = Scale(v, 1.0 / length);
         return false;
     }

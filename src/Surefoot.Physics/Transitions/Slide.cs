@@ -50,7 +50,8 @@ public sealed partial class Transition
 
         if (RetailMath.Dot(normal, floor) >= 0)
         {
-            Path.AddOffsetToCheckPos(RetailMath.Scale(normal, -RetailMath.Dot(movement, normal)));
+            // The share is stored before it is used (specification 04, 4.7).
+            Path.AddOffsetToCheckPos(RetailMath.Scale(normal, -(float)RetailMath.Dot(movement, normal)));
             Trace?.Responded(this, TransitionResponse.Slide, normal, true);
             return TransitionState.Slid;
         }

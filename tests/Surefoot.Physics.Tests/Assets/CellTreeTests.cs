@@ -19,6 +19,12 @@ public class CellTreeTests
     public void A_point_within_the_tolerance_behind_a_wall_is_inside(float x, float y, float z, bool inside) =>
         Assert.Equal(inside, Room.PointInside(new(x, y, z)));
 
+    [Theory, Behaviour("cell.contains.nan", "spec/04, 1.2 and 4.2: no comparison with NaN holds, so a NaN distance is neither in front nor in the plane")]
+    [InlineData(float.NaN, 5, 2)]
+    [InlineData(5, float.NaN, 2)]
+    [InlineData(5, 5, float.NaN)]
+    public void A_point_that_is_no_point_is_in_no_room(float x, float y, float z) => Assert.False(Room.PointInside(new(x, y, z)));
+
     [Theory, Behaviour("cell.contains.sphere", "spec/04, 6.14, BSPNODE::sphere_intersects_cell_bsp @0x0053C260")]
     [InlineData(5, 5, CellOverlap.Inside)]
     [InlineData(0.5, 5, CellOverlap.Partly)]

@@ -68,6 +68,16 @@ public class WallTreeTests
         Assert.Equal(before + new Vector3(ox, oy, oz), mover.At);
     }
 
+    [Fact, Behaviour("slide.along-the-floor-itself.rounds-the-share", "spec/04, 4.7 slide B, step 5: q = F(n·g)")]
+    public void A_slide_along_the_plane_stood_on_rounds_the_share_it_removes()
+    {
+        // g = (0.06, 0.1, -0.18), n·g = -0.18 to nine digits; unrounded it would leave x one unit in the last place further out.
+        Vector3 curr = new(0, 0, 0.48f), slope = new(-0.6f, 0, 0.8f), normal = slope;
+        Mover mover = new Mover(Standing, curr, new(0.06f, 0.1f, 0.3f), 0.48f).Standing(slope);
+        Assert.Equal(TransitionState.Slid, mover.Transition.SlideSphere(0, ref normal, curr));
+        Assert.Equal(new Vector3(-0.0479999892f, 0.100000001f, 0.444000006f), mover.At);
+    }
+
     [Fact, Behaviour("slide.opposed", "spec/04, 6.9 G9")]
     public void Between_floor_and_ceiling_the_way_back_becomes_the_normal()
     {

@@ -55,6 +55,16 @@ public class ContactTests
         Assert.Equal(Vector3.Zero, c.CollisionNormal);
     }
 
+    [Fact, Behaviour("transition.normals.nan-is-no-direction", "spec/03, 4.1.1 and 4.3; spec/04, 1.2: NaN is not at least EPS long")]
+    public void A_normal_that_is_no_number_is_stored_as_no_direction()
+    {
+        CollisionInfo c = new();
+        c.SetCollisionNormal(new Vector3(float.NaN, 0, 1));
+        c.SetSlidingNormal(new Vector3(1, float.NaN, 0));
+        Assert.Equal((true, Vector3.Zero), (c.CollisionNormalValid, c.CollisionNormal));
+        Assert.Equal((true, Vector3.Zero), (c.SlidingNormalValid, c.SlidingNormal));
+    }
+
     [Fact, Behaviour("transition.terrain-contact.table", "spec/03, 6.6")]
     public void Terrain_answers_the_lowest_point_of_the_sphere()
     {
@@ -75,6 +85,7 @@ public class ContactTests
             (12, 0.11f, Level, stands, true, false, 0.5f, 0, TransitionState.Collided, 0, true, false, 0.5f),
             (13, 0.46f, Slope(48.381), stands, false, false, 1, 0, TransitionState.Adjusted, 0.0199999809f, true, false, 1),
             (14, 0.46f, Slope(48.39), stands, false, false, 1, 0, TransitionState.OK, 0, false, false, 1),
+            (14, 0.46f, Slope(50), stands, false, false, 1, 0, TransitionState.OK, 0, false, false, 1),
             (14, 0.46f, Slope(60), stands, false, false, 1, 0, TransitionState.OK, 0, false, false, 1),
             (15, 0.46f, Slope(50), MoverFlags.Contact, false, false, 1, 0, TransitionState.Adjusted, 0.0199999809f, true, false, 1),
             (16, 0.46f, Slope(50), 0, false, false, 1, 0, TransitionState.Adjusted, 0.0199999809f, true, true, 1),
@@ -141,6 +152,31 @@ public class ContactTests
             Assert.True(Vector3.Distance(row.Moved, moved) < 1e-7, $"row {row.Row}: moved {moved:R}");
             Assert.Equal((row.Row, row.Recorded ?? Vector3.Zero), (row.Row, t.Collision.CollisionNormal));
         }
+    }
+
+    [Fact, Behaviour("transition.slide.across-a-block-border", "spec/03, 6.7 row 9")]
+    public void A_slide_across_a_border_takes_the_blocks_into_account()
+    {
+        const uint east = 0xAAB40001;
+        Vector3 check = new(1, 0.1f, 0.48f), normal = new(-1, 0, 0);
+        Transition t = At(check, new Vector3(191.9f, 0, 0.48f));
+        t.Path.SetCheckPos(new Position(east, check), null);
+        t.Collision.SetContactPlane(Level, false);
+        Assert.Equal(TransitionState.Slid, t.SlideSphere(0, ref normal, t.Path.GlobalCurrCenters[0]));
+        Assert.Equal(check + new Vector3(-1.1000061f, 0, 0), t.Path.CheckPos.Frame.Origin);
+        Assert.Equal((east, new Vector3(-1, 0, 0)), (t.Path.CheckPos.CellId, t.Collision.CollisionNormal));
+    }
+
+    [Theory, Behaviour("transition.path.re-based", "spec/03, 6.3 and 4.2 adjust_check_pos")]
+    [InlineData(0xAAB40001, 1.5f)]
+    [InlineData(0xAAB40100, 193.5f)]
+    public void Only_an_outdoor_cell_takes_the_position_into_its_own_block(uint cellId, float x)
+    {
+        Transition t = At(new Vector3(193.5f, 10, 0), Vector3.Zero);
+        t.Path.SetCheckPos(new Position(0xA9B40039, new Vector3(193.5f, 10, 0)), null);
+        t.Path.AdjustCheckPos(cellId);
+        Vector3 expected = new(x, 10, 0);
+        Assert.Equal((cellId, expected, expected), (t.Path.CheckPos.CellId, t.Path.CheckPos.Frame.Origin, t.Path.GlobalSpheres[0].Center));
     }
 
     [Theory, Behaviour("transition.cliff-slide.table", "spec/03, 6.7")]

@@ -70,6 +70,35 @@ public class PlacingTests
         Assert.True(tries >= 20, $"{tries} tries");
     }
 
+    [Theory, Behaviour("placement.rings.count", "spec/03, 6.9")]
+    [InlineData(0.1f, 1338)]
+    [InlineData(0.124f, 918)]
+    [InlineData(0.125f, 270)]
+    [InlineData(0.48f, 270)]
+    [InlineData(0.5f, 234)]
+    [InlineData(1f, 68)]
+    [InlineData(3.9f, 12)]
+    [InlineData(4f, 0)]
+    [InlineData(5f, 0)]
+    public void The_rings_follow_from_the_radius_of_the_foot(float radius, int samples)
+    {
+        List<Vector3> tried = [];
+        StubWorld world = new(_ => null)
+        {
+            Blocks = t =>
+            {
+                if (t.Path.InsertType != InsertType.Placement) return false;
+                tried.Add(t.Path.CheckPos.Frame.Origin);
+                return true;
+            },
+        };
+        Assert.False(Place(world, Vector3.Zero, slide: true, new Sphere(new Vector3(0, 0, radius), radius)).FindValidPosition());
+        Assert.Equal(1 + samples, tried.Count);
+        if (samples != 270) return;
+        Assert.True(Vector3.Distance(new Vector3(0, 0.444444448f, 0), tried[1]) < 1e-7f, $"{tried[1]:R}");
+        Assert.True(Vector3.Distance(new Vector3(0.384900182f, 0.222222224f, 0), tried[2]) < 1e-7f, $"{tried[2]:R}");
+    }
+
     [Fact, Behaviour("geometry.rotation.slerp", "spec/03, 6.3")]
     public void A_turn_is_interpolated_on_the_sphere_the_short_way()
     {
