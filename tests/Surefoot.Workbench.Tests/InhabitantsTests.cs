@@ -19,7 +19,7 @@ public sealed class InhabitantsTests : IDisposable
     public void Dispose() => world.Dispose();
 
     [Fact]
-    [Behaviour("workbench.inhabitants.guards-and-crowd-stand", "issue 4, item 5")]
+    [Behaviour("workbench.inhabitants.guards-and-crowd-stand", "design.md, Who uses it")]
     public void Guards_and_the_crowd_of_a_hundred_stand_where_they_are_spawned()
     {
         IWorkbenchPlayer player = Enter(world, "A crowd of a hundred");
@@ -39,7 +39,7 @@ public sealed class InhabitantsTests : IDisposable
     }
 
     [Fact]
-    [Behaviour("workbench.inhabitants.wanderers-wander-near-home", "issue 4, item 5")]
+    [Behaviour("workbench.inhabitants.wanderers-wander-near-home", "design.md, Who uses it")]
     public void Wanderers_walk_about_near_their_homes_and_do_the_same_again_in_another_world()
     {
         using SimulatedWorld other = NewWorld();
@@ -66,7 +66,7 @@ public sealed class InhabitantsTests : IDisposable
     }
 
     [Fact]
-    [Behaviour("workbench.inhabitants.come-back-with-their-land", "issue 4, item 5")]
+    [Behaviour("workbench.inhabitants.come-back-with-their-land", "design.md, Who uses it")]
     public void Whoever_went_away_with_the_land_comes_back_with_it()
     {
         IWorkbenchPlayer player = Enter(world, "Creatures at pasture");
@@ -84,7 +84,7 @@ public sealed class InhabitantsTests : IDisposable
     }
 
     [Fact]
-    [Behaviour("workbench.door.opens-and-closes", "spec/02, 4.12; issue 4, item 4")]
+    [Behaviour("workbench.door.opens-and-closes", "spec/02, 4.12; design.md, Who uses it")]
     public void A_door_blocks_opens_lets_through_and_closes_behind()
     {
         IWorkbenchPlayer player = Enter(world, "A door");

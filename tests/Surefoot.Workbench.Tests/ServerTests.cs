@@ -56,7 +56,7 @@ public sealed class ServerTests : IAsyncLifetime
     }
 
     [Fact]
-    [Behaviour("workbench.server.shapes-that-bodies-meet", "issue 3, item 6; issue 4, item 10")]
+    [Behaviour("workbench.server.shapes-that-bodies-meet", "design.md, Who uses it")]
     public async Task Shapes_are_counted_triangles_of_objects_rocks_shells_and_rooms_and_plants()
     {
         byte[] bytes = await http.GetByteArrayAsync(new Uri(server.Address, "/shapes/a9b4"));
@@ -110,7 +110,7 @@ public sealed class ServerTests : IAsyncLifetime
     }
 
     [Fact]
-    [Behaviour("workbench.bodies.told-when-changed-and-again", "issue 4, item 10")]
+    [Behaviour("workbench.bodies.told-when-changed-and-again", "design.md, Who uses it")]
     public async Task A_page_is_told_of_bodies_at_first_when_one_changed_and_again_after_a_while()
     {
         await using RawPage page = await RawPage.OpenAsync(server);
@@ -129,7 +129,7 @@ public sealed class ServerTests : IAsyncLifetime
     }
 
     [Fact]
-    [Behaviour("workbench.touches.told-when-changed", "issue 4, item 10")]
+    [Behaviour("workbench.touches.told-when-changed", "design.md, Who uses it")]
     public async Task A_page_is_told_what_its_player_stands_on_and_touches_and_when_that_changes()
     {
         await using RawPage page = await RawPage.OpenAsync(server);

@@ -42,7 +42,7 @@ public sealed class SimulatedWorldTests : IDisposable
     }
 
     [Fact]
-    [Behaviour("workbench.world.new-skill-waits-for-the-server", "issue 3, item 5: until the answer arrives the player moves at the old rate")]
+    [Behaviour("workbench.world.new-skill-waits-for-the-server", "design.md, Who uses it: until the answer arrives the player moves at the old rate")]
     public void A_new_run_skill_acts_when_the_server_has_answered()
     {
         IWorkbenchPlayer player = world.Join(1, new PlayerSettings(0, 250, 0), Runway, now);
@@ -94,7 +94,7 @@ public sealed class SimulatedWorldTests : IDisposable
     }
 
     [Fact]
-    [Behaviour("workbench.world.every-place-stands", "issue 3, items 3 and 6: jump to a named place")]
+    [Behaviour("workbench.world.every-place-stands", "design.md, Who uses it: jump to a named place")]
     public void At_every_named_place_a_player_stands_or_slides_on_the_ground_of_that_place()
     {
         IWorkbenchPlayer player = world.Join(1, PlayerSettings.Default, Runway, now);
@@ -111,7 +111,7 @@ public sealed class SimulatedWorldTests : IDisposable
     }
 
     [Fact]
-    [Behaviour("workbench.world.leaving-leaves-nothing", "issue 3, item 6: a closed tab leaves nothing behind")]
+    [Behaviour("workbench.world.leaving-leaves-nothing", "design.md, Who uses it: a closed tab leaves nothing behind")]
     public void A_player_that_leaves_can_come_back_under_the_same_id_in_the_same_place()
     {
         for (int i = 0; i < 3; i++)
@@ -140,7 +140,7 @@ public sealed class SimulatedWorldTests : IDisposable
     }
 
     [Fact]
-    [Behaviour("workbench.server.missing-dat-folder", "issue 3, Bad input: missing or partial dat folder")]
+    [Behaviour("workbench.server.missing-dat-folder", "design.md, Who uses it: missing or partial dat folder")]
     public async Task A_folder_without_dat_files_is_refused_by_name()
     {
         string empty = Directory.CreateTempSubdirectory().FullName;
@@ -151,7 +151,7 @@ public sealed class SimulatedWorldTests : IDisposable
     }
 
     [Fact]
-    [Behaviour("workbench.server.any-dat-folder", "issue 3, item 1: --dats DIR")]
+    [Behaviour("workbench.server.any-dat-folder", "design.md, Who uses it: --dats DIR")]
     public async Task A_folder_of_dat_files_is_played_at_the_towns_that_it_has()
     {
         await using WorkbenchServer server = await WorkbenchServer.StartAsync(new WorkbenchOptions { Port = 0, DatFolder = DemoWorldCache.GetOrCreate() });

@@ -20,7 +20,7 @@ public sealed class TouchTests : IDisposable
     public void Dispose() => world.Dispose();
 
     [Fact]
-    [Behaviour("workbench.touches.ground-and-its-plane", "issue 4, item 10")]
+    [Behaviour("workbench.touches.ground-and-its-plane", "design.md, Who uses it")]
     public void On_open_ground_a_player_stands_on_the_ground_of_its_cell_and_touches_nothing()
     {
         IWorkbenchPlayer player = Enter("slope-30");
@@ -35,7 +35,7 @@ public sealed class TouchTests : IDisposable
     }
 
     [Fact]
-    [Behaviour("workbench.touches.room-floor-and-wall", "issue 4, item 10")]
+    [Behaviour("workbench.touches.room-floor-and-wall", "design.md, Who uses it")]
     public void In_a_house_it_stands_on_a_rooms_floor_and_touches_the_wall_it_runs_into()
     {
         IWorkbenchPlayer player = Enter("house-hall");
@@ -52,7 +52,20 @@ public sealed class TouchTests : IDisposable
     }
 
     [Fact]
-    [Behaviour("workbench.touches.building-from-outside", "issue 4, item 10")]
+    [Behaviour("workbench.touches.stairs-carry-all-the-way", "design.md, Who uses it")]
+    public void On_a_stair_it_always_stands_on_the_room_even_with_the_foot_on_an_edge()
+    {
+        IWorkbenchPlayer player = Enter("house-stairs");
+        player.SetKeys(PlayerKeys.Forward | PlayerKeys.Walk, now);
+        for (int i = 0; i < 80; i++)
+        {
+            Pass(Turn);
+            if (player.Pose.Flags.HasFlag(PoseFlags.OnWalkable)) Assert.Contains(player.Touches, touch => touch is { IsFooting: true, Kind: TouchKind.Room });
+        }
+    }
+
+    [Fact]
+    [Behaviour("workbench.touches.building-from-outside", "design.md, Who uses it")]
     public void Outside_it_touches_the_building()
     {
         IWorkbenchPlayer player = Enter("house-door");
@@ -66,7 +79,7 @@ public sealed class TouchTests : IDisposable
     }
 
     [Fact]
-    [Behaviour("workbench.touches.names-creatures", "issue 4, item 10")]
+    [Behaviour("workbench.touches.names-creatures", "design.md, Who uses it")]
     public void A_guard_in_the_way_is_named()
     {
         IWorkbenchPlayer player = Enter("guards");
@@ -86,7 +99,7 @@ public sealed class TouchTests : IDisposable
     }
 
     [Fact]
-    [Behaviour("workbench.touches.object-under-the-feet", "issue 4, item 10")]
+    [Behaviour("workbench.touches.object-under-the-feet", "design.md, Who uses it")]
     public void On_a_crate_it_stands_on_that_object()
     {
         IWorkbenchPlayer player = Enter("crates");
@@ -100,7 +113,7 @@ public sealed class TouchTests : IDisposable
     }
 
     [Fact]
-    [Behaviour("workbench.touches.tree-trunk-is-scenery", "issue 4, item 10")]
+    [Behaviour("workbench.touches.tree-trunk-is-scenery", "design.md, Who uses it")]
     public void A_tree_that_holds_it_back_is_scenery()
     {
         IWorkbenchPlayer player = Enter("forest");

@@ -21,8 +21,8 @@ internal sealed class TouchFinder(Func<WorldObject, (TouchKind Kind, string Name
     private const float SamePlane = 0.03f;
     private const float SameDirection = 0.999f, RoughlySameDirection = 0.7f;
 
-    // On an edge the sphere hangs over it: the plane is touched beside the polygon.
-    private const float FootingGap = 0.15f;
+    // On an edge the sphere hangs over it: the plane is touched beside the polygon, by up to a radius, which leaves (sqrt(2) - 1) radii to the edge itself.
+    private const float FootingGap = 0.43f;
 
     private readonly HashSet<object> seen = [];
     private readonly List<Candidate> touched = [];
@@ -90,7 +90,7 @@ internal sealed class TouchFinder(Func<WorldObject, (TouchKind Kind, string Name
         if (triangle < 0) return;
         Plane plane = InOwnBlock(land.Landblock.Terrain.PlaneOf(triangle), land.Id);
         float gap = (float)RetailMath.Distance(plane, foot.Center) - foot.Radius;
-        Consider(new Candidate(new Thing(TouchKind.Ground, land.Id, ""), gap, plane.Normal), Carries(plane.Normal, foot.Center - (plane.Normal * (gap + foot.Radius)), gap));
+        Consider(new Candidate(new Thing(TouchKind.Ground, land.Id, ""), gap, plane.Normal), Carries(plane.Normal, foot.Center - (plane.Normal * (gap + foot.Radius)), gap / foot.Radius));
     }
 
     private void LookAtObject(WorldObject item, Thing thing)
@@ -133,7 +133,7 @@ internal sealed class TouchFinder(Func<WorldObject, (TouchKind Kind, string Name
             }
         }
 
-        if (float.IsFinite(best.Gap)) Consider(best, Carries(best.Normal, null, best.Gap));
+        if (float.IsFinite(best.Gap)) Consider(best, Carries(best.Normal, null, best.Gap / spheres[0].Radius));
 
         void Nearer(in Sphere own, Vector3 point)
         {
@@ -159,7 +159,7 @@ internal sealed class TouchFinder(Func<WorldObject, (TouchKind Kind, string Name
                 if (!(above >= 0) || above > spheres[k].Radius + HeldBackGap) continue;
                 Vector3 point = SurfacePoints.Nearest(polygon, local);
                 float gap = (Vector3.Distance(local, point) * scale) - spheres[k].Radius;
-                if (Carries(normal, frame.LocalToGlobal(point * scale), gap))
+                if (Carries(normal, frame.LocalToGlobal(point * scale), gap / spheres[k].Radius))
                 {
                     carries |= k == 0;
                     continue;
@@ -177,8 +177,11 @@ internal sealed class TouchFinder(Func<WorldObject, (TouchKind Kind, string Name
     private bool IsHeldBackAlong(in Vector3 normal) => obstacle is { } held && Vector3.Dot(normal, held) > RoughlySameDirection;
 
     /// <summary>Is a surface here the one that the body stands on?</summary>
-    private bool Carries(in Vector3 normal, Vector3? point, float gap) =>
-        footing is { } plane && gap < FootingGap && Vector3.Dot(normal, plane.Normal) > SameDirection &&
+    /// <param name="normal">Of the surface.</param>
+    /// <param name="point">Its point nearest to the sphere; null when the sphere rests on something round.</param>
+    /// <param name="radii">From the sphere to it, in radii.</param>
+    private bool Carries(in Vector3 normal, Vector3? point, float radii) =>
+        footing is { } plane && radii < FootingGap && Vector3.Dot(normal, plane.Normal) > SameDirection &&
         (point is not { } on || Math.Abs(RetailMath.Distance(plane, on)) < SamePlane);
 
     private void Consider(in Candidate one, bool carries)
