@@ -46,7 +46,7 @@ public sealed class SetupAsset
         init
         {
             spheres = value.ToArray();
-            foreach (ref readonly Sphere sphere in value) spheresReach = Math.Max(spheresReach, RetailMath.Length(sphere.Center) + sphere.Radius);
+            foreach (ref readonly Sphere sphere in value) spheresReach = Math.Max(spheresReach, RetailMath.Length(sphere.Center) + Math.Abs(sphere.Radius));
         }
     }
 

@@ -17,7 +17,10 @@ public sealed class SpherePath
 
     internal readonly Sphere[] LocalSpheres = new Sphere[MaxSpheres];
 
-    /// <summary>How far from the body's origin its spheres reach however it is turned, metres.</summary>
+    /// <summary>
+    /// How far from the body's origin its spheres reach however it is turned, metres. Each counts with the foot's radius if that is the larger one: balls and
+    /// cylinders meet the head with it.
+    /// </summary>
     internal double LocalReach;
     internal readonly Sphere[] GlobalSpheres = new Sphere[MaxSpheres];
     internal readonly Vector3[] GlobalCurrCenters = new Vector3[MaxSpheres];
@@ -113,7 +116,7 @@ public sealed class SpherePath
         LocalLowPoint.Z -= LocalSpheres[0].Radius;
         LocalReach = 0;
         foreach (ref readonly Sphere sphere in LocalSpheres.AsSpan(0, SphereCount))
-            LocalReach = Math.Max(LocalReach, RetailMath.Length(sphere.Center) + sphere.Radius);
+            LocalReach = Math.Max(LocalReach, RetailMath.Length(sphere.Center) + Math.Max(Math.Abs(sphere.Radius), Math.Abs(LocalSpheres[0].Radius)));
     }
 
     /// <summary>Sets where the path begins and ends; without a begin the body is placed at the end.</summary>

@@ -69,6 +69,23 @@ public class ObjectShapeTests
         Assert.Equal((TransitionState.OK, TransitionState.Collided), (Touch(ball, new(2.5f, 0, 0)), Touch(ball, new(2.5f, 0, 0), 2)));
     }
 
+    [Theory, Behaviour("object.shapes.head-has-the-foot-s-radius", "spec/04, 4.8: the radius of sphere 0 is used for sphere 1 as well")]
+    [InlineData(1.45f, TransitionState.Collided)]
+    [InlineData(1.55f, TransitionState.OK)]
+    public void A_small_head_meets_a_ball_as_far_away_as_the_foot_would(float distance, TransitionState expected)
+    {
+        // Radii .5 and 1 together: the head, of .1 m and 2 m above the foot, meets the ball above it within 1.5 m.
+        SetupAsset ball = new() { Spheres = [new Sphere(Vector3.Zero, 0.5f)] };
+        Vector3 foot = new(0, 0, -2 - distance);
+        Mover mover = new Mover(Standing, foot, foot, 1).With(p =>
+        {
+            p.InitSpheres([new Sphere(Vector3.Zero, 1), new Sphere(new Vector3(0, 0, 2), 0.1f)], 1);
+            p.CacheGlobalSpheres();
+            p.InsertType = InsertType.Placement;
+        });
+        Assert.Equal(expected, ball.FindCollisions(mover.Transition, Object(ball, Vector3.Zero), creature: false));
+    }
+
     [Fact, Behaviour("object.parts.without-pose", "spec/06, 3: absent placement")]
     public void Parts_without_a_frame_stop_nobody()
     {
