@@ -14,7 +14,7 @@ namespace Surefoot.Physics.Tests.World;
 /// <summary>Landblocks whose records promise what is not there.</summary>
 public sealed class HostileWorldTests
 {
-    private const uint Block = 0xA9B4FFFF, Info = 0xA9B4FFFE, Room = 0xA9B40100, Shapes = 0x0D000001, Mesh = 0x01000001, Thing = 0x02000001;
+    internal const uint Block = 0xA9B4FFFF, Info = 0xA9B4FFFE, Room = 0xA9B40100, Shapes = 0x0D000001, Mesh = 0x01000001, Thing = 0x02000001;
 
     [Fact]
     [Behaviour("world.hostile.none", "spec/05, 4.7")]
@@ -128,7 +128,7 @@ public sealed class HostileWorldTests
 
     private static DatVertex Vertex(ushort key, float at) => new(key, new Vector3(at), Vector3.UnitZ);
 
-    private static StaticObject At(uint id, float x) => new(id, new DatFrame(new Vector3(x, 12, 0), Quaternion.Identity));
+    internal static StaticObject At(uint id, float x) => new(id, new DatFrame(new Vector3(x, 12, 0), Quaternion.Identity));
 
     private static EnvCell RoomRecord(ushort structure = 0, DatFrame? frame = null, params ImmutableArray<CellPortal> portals) => new()
     {
@@ -141,7 +141,7 @@ public sealed class HostileWorldTests
     };
 
     /// <summary>A flat block with one room and one thing, some of its records replaced or taken away.</summary>
-    private sealed class Records
+    internal sealed class Records
     {
         private readonly Dictionary<uint, DatRecord> records = [];
 
@@ -167,7 +167,10 @@ public sealed class HostileWorldTests
             }
         }
 
-        public PhysicsWorld World() =>
-            new(new PhysicsDataCache(new MemorySource().Add([.. records.Values])), new RegionAsset([0f]));
+        public PhysicsWorld World(Region? region = null)
+        {
+            MemorySource source = new MemorySource().Add([.. records.Values]);
+            return new PhysicsWorld(new PhysicsDataCache(source), region is null ? new RegionAsset([0f]) : new RegionAsset(region, source));
+        }
     }
 }

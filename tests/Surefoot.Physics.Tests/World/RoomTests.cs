@@ -108,10 +108,7 @@ public sealed class RoomTests
     [Behaviour("world.rooms.missing-neighbour", "spec/05, 4.14")]
     public void A_portal_to_a_room_that_does_not_exist_lists_it_without_a_cell()
     {
-        PhysicsWorld world = new();
-        Landblock block = new(Ground.Flat(0xA9B40000));
-        block.SetRooms([Room(Hall, 60, [new PortalPlane(new Plane(1, 0, 0, -5), true, 0xA9B40777, 0)], [], false)]);
-        world.Add(block);
+        (PhysicsWorld world, _, _) = HallWithADoorToNowhere();
         ObjCell? home = null;
         CellArray array = new();
         world.FindCellList(array, new Position(Hall, Vector3.Zero), CellListTests.Spheres("64.8 84 20.475", 0.48f), null, true, ref home);
@@ -164,6 +161,16 @@ public sealed class RoomTests
             new StaticObject(new SetupAsset(), new Position(Yard, new Vector3(60, 84, 20)), 0, cell, 1), [new(Hall, 1)]));
         world.Add(block);
         return world;
+    }
+
+    /// <summary>A hall without anything beyond the door in its eastern wall; its id, and a place in its middle.</summary>
+    internal static (PhysicsWorld World, uint Hall, Vector3 Middle) HallWithADoorToNowhere()
+    {
+        PhysicsWorld world = new();
+        Landblock block = new(Ground.Flat(0xA9B40000));
+        block.SetRooms([Room(Hall, 60, [new PortalPlane(new Plane(1, 0, 0, -5), true, 0xA9B40777, 0)], [], false)]);
+        world.Add(block);
+        return (world, Hall, new Vector3(60, 84, 20));
     }
 
     private static EnvCell Room(uint id, float x, PortalPlane[] portals, uint[] stabs, bool seenOutside) => new(new EnvCellContent
