@@ -11,6 +11,11 @@ public sealed class CellArray
     /// <summary>True when the outdoor cells around the path were already added.</summary>
     public bool AddedOutside { get; set; }
 
+    /// <summary>
+    /// The outdoor cells of an object's parts could not be told, because the one under its first part is not loaded; the list grows when it is.
+    /// </summary>
+    internal bool LacksGround { get; set; }
+
     /// <summary>Cells that are not resident must not be created for this path.</summary>
     public bool DoNotLoadCells { get; set; }
 
@@ -41,7 +46,7 @@ public sealed class CellArray
     public void Clear()
     {
         Count = 0;
-        AddedOutside = false;
+        AddedOutside = LacksGround = false;
     }
 
     /// <summary>An id and, where it is loaded, its cell.</summary>

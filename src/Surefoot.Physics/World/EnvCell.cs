@@ -66,19 +66,19 @@ public sealed class EnvCell : ObjCell
         return state;
     }
 
-    /// <summary>The first cell that contains a point: this one, or one of those seen from here (or behind its portals).</summary>
+    /// <summary>The first room that contains a point: this one, or one of those seen from here (or behind its portals).</summary>
     /// <param name="world">Where cells are looked up.</param>
     /// <param name="point">The point, block coordinates.</param>
     /// <param name="searchVisible">True searches the cells that are seen from here, false those behind the portals.</param>
     /// <remarks>Retail: CEnvCell::find_visible_child_cell @0x0052DC50.</remarks>
-    internal ObjCell? FindVisibleChildCell(ICellWorld world, in Vector3 point, bool searchVisible)
+    internal EnvCell? FindVisibleChildCell(ICellWorld world, in Vector3 point, bool searchVisible)
     {
         if (PointInCell(point)) return this;
         int count = searchVisible ? stabList.Length : portals.Length;
         for (int i = 0; i < count; i++)
         {
-            ObjCell? cell = world.GetVisible(searchVisible ? stabList[i] : portals[i].OtherCellId);
-            if (cell is not null && cell.PointInCell(point)) return cell;
+            // A list that names a square of land, which no file should, finds nothing: retail looks among the rooms only.
+            if (world.GetVisible(searchVisible ? stabList[i] : portals[i].OtherCellId) is EnvCell room && room.PointInCell(point)) return room;
         }
 
         return null;

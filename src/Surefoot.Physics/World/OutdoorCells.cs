@@ -52,7 +52,13 @@ internal static class OutdoorCells
         uint id = parts[0].Position.CellId;
         Vector3 origin = parts[0].Position.Frame.Origin;
         if (!CellIds.AdjustToOutside(ref id, ref origin)) return;
-        if (world.GetVisible(id) is not { } cell || !CellIds.TryLandCoordinates(id, out int x, out int y)) return;
+        if (world.GetVisible(id) is not { } cell)
+        {
+            array.LacksGround = true;
+            return;
+        }
+
+        if (!CellIds.TryLandCoordinates(id, out int x, out int y)) return;
 
         Position center = cell.Position;
         int index = CellIds.LandIndex(id), column = index >> 3, row = index & 7;

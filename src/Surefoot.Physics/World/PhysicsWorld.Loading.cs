@@ -115,7 +115,7 @@ public sealed partial class PhysicsWorld
         {
             foreach (StaticObject item in other.StaticObjects)
             {
-                if (!item.IsCompletelyVisible) CalcCrossCellsStatic(item);
+                if (item.LacksGround || !item.IsCompletelyVisible) CalcCrossCellsStatic(item);
             }
         }
 

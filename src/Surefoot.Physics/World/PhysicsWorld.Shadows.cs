@@ -72,6 +72,7 @@ public sealed partial class PhysicsWorld
     private void CalcCrossCellsStatic(StaticObject item)
     {
         CrossCells.FindStatic(item);
+        item.LacksGround = CrossCells.Cells.LacksGround;
         PlaceShadows(item, CrossCells.Cells);
     }
 

@@ -72,8 +72,8 @@ internal static class Scenery
         frame.Origin = point;
         if (thing.Align != 0)
         {
-            Vector3 downhill = new(-plane.Normal.X, -plane.Normal.Y, 0);
-            frame.SetHeading(RetailMath.NormalizeCheckSmall(ref downhill) ? 0f : (float)Frame.HeadingOf(downhill));
+            Vector3 uphill = new(-plane.Normal.X, -plane.Normal.Y, 0);
+            frame.SetHeading(RetailMath.NormalizeCheckSmall(ref uphill) ? 0f : (float)Frame.HeadingOf(uphill));
         }
         else if (thing.MaxRotation > 0)
         {

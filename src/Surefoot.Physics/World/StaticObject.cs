@@ -17,6 +17,9 @@ public sealed class StaticObject : WorldObject
     /// <summary>It was strewn by the rules of the terrain, and stands in no record.</summary>
     public bool IsScenery { get; internal init; }
 
+    /// <summary>Its first part is over land that is not loaded; the cells it reaches are known when that is.</summary>
+    internal bool LacksGround { get; set; }
+
     /// <summary>
     /// Place in the order in which statics are tested: land objects and scenery of all landblocks, column by column, then those of rooms. It does not
     /// depend on the order of loading.

@@ -94,6 +94,10 @@ public sealed class CellListTests
 
         Assert.Null(Home(world, 0xA9B4003D, "192.2 100", out array));
         Assert.Equal("AAB40005 A9B4003D", Ids(array));
+
+        // Off the map there is nothing to list.
+        Assert.Null(Home(Flat(0xFEFE0000), 0xFEFE003D, "192.2 100", out array));
+        Assert.Equal(0, array.Count);
     }
 
     [Fact]

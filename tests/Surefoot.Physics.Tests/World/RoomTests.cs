@@ -105,6 +105,25 @@ public sealed class RoomTests
     }
 
     [Fact]
+    [Behaviour("world.rooms.adjust-position.rooms-only", "spec/05, 4.14: the cells that are seen are looked up among the rooms")]
+    public void A_list_of_seen_cells_that_names_land_puts_nobody_there()
+    {
+        PhysicsWorld world = new();
+        Landblock block = new(Ground.Flat(0xA9B40000, 20));
+        PortalPlane exit = new(new Plane(0, -1, 0, -5), true, PortalPlane.Outdoors, 0);
+        block.SetRooms([Room(Hall, 60, [exit], [Yard, Back], false), Room(Back, 70, [exit], [Hall], false)]);
+        world.Add(block);
+        Position place = new(Hall, new Vector3(60, 76, 20));
+        Assert.True(world.GetVisible(Yard)!.PointInCell(place.Frame.Origin));
+        Assert.False(world.AdjustPosition(ref place, new Vector3(0, 0, 0.5f), out ObjCell? found));
+        Assert.Null(found);
+        place.Frame.Origin.X = 70;
+        place.Frame.Origin.Y = 84;
+        Assert.True(world.AdjustPosition(ref place, new Vector3(0, 0, 0.5f), out found));
+        Assert.Equal(Back, found?.Id);
+    }
+
+    [Fact]
     [Behaviour("world.rooms.missing-neighbour", "spec/05, 4.14")]
     public void A_portal_to_a_room_that_does_not_exist_lists_it_without_a_cell()
     {
@@ -137,6 +156,65 @@ public sealed class RoomTests
         array.Add(start, world.GetVisible(start));
         for (int k = 0; k < array.Count; k++) array[k].Cell?.FindTransitCells(world, parts, array);
         Assert.Equal(cells, CellListTests.Ids(array));
+    }
+
+    [Theory]
+    [Behaviour("world.rooms.over-the-border", "spec/05, 4.14: spheres are taken as they come, without any offset between blocks; parts are not")]
+    [InlineData(0xA9B4003Du, 191.9f, "A9B4003D AAB40005", 0xA9B4003Du)]
+    [InlineData(0xAAB40005u, -0.1f, "A9B4003D AAB40005 AAB40100", 0xAAB40100u)]
+    public void A_room_of_the_next_block_is_entered_from_its_own_coordinates_only(uint id, float x, string cells, uint home)
+    {
+        const uint outside = 0xAAB40005, inside = 0xAAB40100;
+        PhysicsWorld world = new();
+        world.Add(new Landblock(Ground.Flat(0xA9B40000, 20)));
+        Landblock east = new(Ground.Flat(0xAAB40000, 20));
+        east.SetRooms([new EnvCell(new EnvCellContent
+        {
+            Id = inside,
+            Frame = new Frame(new Vector3(3, 100, 20), Quaternion.Identity),
+            Shape = Shape(),
+            Portals = [new PortalPlane(new Plane(-1, 0, 0, -5), true, PortalPlane.Outdoors, 0)],
+        })]);
+        LandCell cell = (LandCell)east.Find(outside)!;
+        east.AddBuilding(cell, new BuildingObject(new StaticObject(new SetupAsset(), new Position(outside, new Vector3(3, 100, 20)), 0, cell, 1), [new(inside, 0)]));
+        world.Add(east);
+
+        CellArray array = new();
+        ObjCell? found = null;
+        Vector3 at = new(x, 100, 20.5f);
+        world.FindCellList(array, new Position(id, Vector3.Zero), [new Sphere(at, 0.48f)], null, true, ref found);
+        Assert.Equal(cells, CellListTests.Ids(array));
+        Assert.Equal(home, found?.Id);
+
+        PartExtent[] parts = [new(new Position(id, at), new BoundingBox(new Vector3(-0.5f), new Vector3(0.5f)), new Sphere(Vector3.Zero, 1), true, false)];
+        array.Clear();
+        array.Add(outside, cell);
+        for (int k = 0; k < array.Count; k++) array[k].Cell?.FindTransitCells(world, parts, array);
+        Assert.Contains(inside, Enumerable.Range(0, array.Count).Select(k => array[k].Id));
+    }
+
+    [Fact]
+    [Behaviour("world.rooms.statics-pruned", "spec/05, 4.15, 4.17: a static of cylinders gets no shadow outdoors through a doorway, one of boxes does")]
+    public void A_static_of_cylinders_stays_inside_and_one_of_boxes_reaches_out()
+    {
+        PhysicsWorld world = Rooms();
+        GfxObjAsset mesh = new() { BoundingBox = new BoundingBox(new Vector3(-1), new Vector3(1)), DrawingSphere = new Sphere(Vector3.Zero, 1.8f) };
+        SetupAsset boxes = new SetupAsset { Parts = [new SetupPart(mesh, Vector3.One)] }.With(0, [Frame.Identity]);
+        SetupAsset cylinders = new() { Cylinders = [new CylSphere(Vector3.Zero, 0.48f, 1)] };
+        Assert.Equal("A9B40100", Listed(world, cylinders, new Vector3(60, 79.3f, 20.5f), isStatic: true));
+        Assert.Equal("A9B40100 A9B40014", Listed(world, cylinders, new Vector3(60, 79.3f, 20.5f), isStatic: false));
+        Assert.Equal("A9B40100 A9B40014", Listed(world, boxes, new Vector3(60, 79.3f, 21), isStatic: true));
+        Assert.Equal("A9B40100 A9B40101", Listed(world, cylinders, new Vector3(64.8f, 84, 20.5f), isStatic: true));
+    }
+
+    private static string Listed(PhysicsWorld world, SetupAsset setup, Vector3 at, bool isStatic)
+    {
+        ObjCell room = world.GetVisible(Hall)!;
+        CrossCells cross = new(world);
+        StaticObject item = new(setup, new Position(Hall, at), 1, room, 1);
+        if (isStatic) cross.FindStatic(item);
+        else cross.Find(item);
+        return CellListTests.Ids(cross.Cells);
     }
 
     private static CellArray List(uint start, string center, bool doNotLoad, out ObjCell? home, out bool interior)

@@ -32,7 +32,11 @@ public sealed class SceneryTests(FirstWorld files) : IClassFixture<FirstWorld>
     {
         Assert.Equal(0x7F8CDA01u, Bits(Scenery.SceneShare(0, 0)));
         Assert.Equal(0xF4D7C05Fu, Bits(Scenery.Share(0, 0, 0, 23399)));
+        Assert.Equal(0x7EF78C75u, Bits(Scenery.Share(0, 0, 0, 45773)));
+        Assert.Equal(0x37073047u, Bits(Scenery.Share(0, 0, 0, 72719)));
         Assert.Equal(0xE8031203u, Bits(Scenery.QuadrantShare(0, 0)));
+        Assert.Equal(0xCB3B010Fu, Bits(Scenery.Share(0, 0, 0, 63127)));
+        Assert.Equal(0x55EC1E19u, Bits(Scenery.Share(0, 0, 0, 32593)));
     }
 
     [Fact]
