@@ -72,6 +72,7 @@ internal sealed class KeyFixture : IMotionBody
             Controller.Update(keys, Now);
             Frame offset = Frame.Identity;
             Movement.AccumulateRootMotion((float)FrameTime, ref offset);
+            Movement.Animation!.ProcessHooks(null);
             Movement.UseTime();
         }
     }

@@ -74,6 +74,11 @@ public sealed partial class PhysicsBody
     {
         ThrowIfBad(request.Position);
         if (!float.IsFinite(request.RadiusX) || !float.IsFinite(request.RadiusY)) throw new ArgumentException("A scatter radius is not finite.", nameof(request));
+        return Place(request);
+    }
+
+    private PlacementResult Place(in PlacementRequest request)
+    {
         if (!engine.Transitions.TryRent(out Transition? transition)) return PlacementResult.GeneralFailure;
         SeedMover(transition, MoverFlags.None);
         PlacementResult result;

@@ -125,19 +125,21 @@ public sealed partial class PhysicsBody
     {
         if (touching is null || touching.Count == 0) return;
         ended ??= [];
+        // Whoever is told of an end may hide or remove the body, which ends the rest from within: each call does its own part of the list.
+        int first = ended.Count;
         foreach ((uint id, CollisionRecord record) in touching)
         {
             double age = simulatedTime - record.TouchedTime;
-            if (force || age > CollisionRecordLife || (record.Ethereal && age > 0)) ended.Add(id);
+            if (force || age > CollisionRecordLife || (record.Ethereal && age > 0))
+            {
+                touching.Remove(id);
+                ended.Add(id);
+            }
         }
 
-        foreach (uint id in ended)
-        {
-            touching.Remove(id);
-            ReportObjectCollisionEnd(id);
-        }
-
-        ended.Clear();
+        int last = ended.Count;
+        for (int i = first; i < last; i++) ReportObjectCollisionEnd(ended[i]);
+        ended.RemoveRange(first, last - first);
     }
 
     /// <remarks>Retail: CPhysicsObj::report_object_collision_end @0x00510A90.</remarks>

@@ -120,10 +120,13 @@ public sealed partial class PhysicsBody
     /// <remarks>Retail: CPhysicsObj::set_frame @0x00514090.</remarks>
     private void SetFrame(in Frame frame)
     {
-        PositionField.Frame = !frame.IsValid && RetailMath.IsFinite(frame.Origin) && HasNaN(frame.Rotation)
+        PositionField.Frame = !frame.IsValid && !HasNaN(frame.Origin) && HasNaN(frame.Rotation)
             ? new Frame(frame.Origin, default)
             : frame;
+        UpdateParts();
     }
+
+    private static bool HasNaN(Vector3 v) => float.IsNaN(v.X) || float.IsNaN(v.Y) || float.IsNaN(v.Z);
 
     private static bool HasNaN(Quaternion q) => float.IsNaN(q.X) || float.IsNaN(q.Y) || float.IsNaN(q.Z) || float.IsNaN(q.W);
 }

@@ -106,7 +106,7 @@ public sealed partial class PhysicsBody
         LastCollidedWithEnvironment = false;
         if (Has(TransientState.CheckEthereal)) SetEthereal(false);
 
-        Position proposal = new(PositionField.CellId, UpdatePositionInternal(quantum));
+        Position proposal = new(PositionField.CellId, UpdatePositionInternal(quantum, simulatedTime));
         if (!sweepWithoutSpheres && (Setup is null || Setup.Spheres.Length == 0))
         {
             if (Movement is null && OnWalkable) Transient &= ~TransientState.Active;
@@ -172,7 +172,7 @@ public sealed partial class PhysicsBody
 
     /// <summary>Where the body wants to be after a quantum: its own motion, a server's correction, then its velocity.</summary>
     /// <remarks>Retail: CPhysicsObj::UpdatePositionInternal @0x00512C30.</remarks>
-    private Frame UpdatePositionInternal(float quantum)
+    private Frame UpdatePositionInternal(float quantum, double simulatedTime)
     {
         Frame offset = Frame.Identity;
         bool hidden = State.Has(PhysicsState.Hidden);
@@ -185,6 +185,7 @@ public sealed partial class PhysicsBody
         PositionManager?.AdjustOffset(ref offset, quantum);
         Frame proposal = Frame.Combine(PositionField.Frame, offset);
         if (!hidden) UpdatePhysicsInternal(quantum, ref proposal);
+        ProcessHooks(simulatedTime);
         return proposal;
     }
 

@@ -36,6 +36,8 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody
         Scale = scale;
         updateTime = engine.Now;
         Shadows = new ShadowObject[UsualShadows];
+        partPose = setup is { HasPhysicsBsp: true } ? new Frame[setup.Parts.Length] : [];
+        UpdateParts();
     }
 
     /// <summary>Changing bits: contact, on walkable, sliding, active.</summary>
@@ -99,8 +101,17 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody
     /// <summary>The side that wants to move; null for a body without motions.</summary>
     public IBodyMovement? Movement { get; private set; }
 
-    /// <summary>Adjusts motion towards a server's positions; null without one.</summary>
-    public IPositionManager? PositionManager { get; set; }
+    /// <summary>Adjusts motion towards a server's positions; null without one. Giving the body one wakes it.</summary>
+    /// <remarks>Retail: CPhysicsObj::MakePositionManager, which wakes the body each time it is asked for.</remarks>
+    public IPositionManager? PositionManager
+    {
+        get;
+        set
+        {
+            field = value;
+            if (value is not null) SetActive(true);
+        }
+    }
 
     /// <summary>Is told of collisions.</summary>
     public ICollisionListener? Listener { get; set; }
@@ -187,7 +198,9 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody
     public void SetHeading(float degrees)
     {
         if (!float.IsFinite(degrees)) throw new ArgumentException("The heading is not finite.", nameof(degrees));
-        PositionField.Frame.SetHeading(degrees);
+        Frame turned = PositionField.Frame;
+        turned.SetHeading(degrees);
+        SetFrame(turned);
     }
 
     /// <summary>Wakes the body or puts it to sleep; statics stay asleep.</summary>

@@ -19,7 +19,8 @@ public sealed partial class PhysicsBody
         updateTime = engine.Now;
         PlacementFlags flags = PlacementFlags.Placement | (slide ? PlacementFlags.Slide : PlacementFlags.None);
         if (SetPosition(new PlacementRequest(PositionField, flags)) != PlacementResult.OK) return false;
-        if (!IsLost) SetActive(true);
+        // Also when it waits for its cell: the next tick puts such a body to sleep again.
+        SetActive(true);
         Movement?.HandleEnterWorld();
         return true;
     }
@@ -51,7 +52,9 @@ public sealed partial class PhysicsBody
 
     /// <summary>The cell the body waited for is there again.</summary>
     /// <remarks>Retail: CPhysicsObj::reenter_visibility @0x00516250.</remarks>
-    internal void ReenterVisibility() => EnterWorld(PositionField);
+    /// <returns>False when nothing was free there.</returns>
+    internal bool ReenterVisibility() =>
+        Place(new PlacementRequest(PositionField, PlacementFlags.Placement | PlacementFlags.Slide)) == PlacementResult.OK;
 
     private void PrepareToEnterWorld()
     {
@@ -78,10 +81,12 @@ public sealed partial class PhysicsBody
         SetFrame(place.Frame);
     }
 
-    /// <remarks>Retail: CPhysicsObj::change_cell @0x00513390.</remarks>
+    /// <summary>Goes into a cell; a body without parts is in none.</summary>
+    /// <remarks>Retail: CPhysicsObj::change_cell @0x00513390, enter_cell @0x00510ED0.</remarks>
     private void ChangeCell(ObjCell cell)
     {
         LeaveCell();
+        if (Setup is null) return;
         Cell = cell;
         PositionField.CellId = cell.Id;
     }

@@ -50,13 +50,13 @@ public partial class WorldObject
     /// <summary>It touches a plane.</summary>
     public virtual bool HasContact => false;
 
-    /// <summary>Highest step it climbs, metres; 0.01 without a setup.</summary>
+    /// <summary>Highest step it climbs, metres; 0 without parts.</summary>
     /// <remarks>Retail: CPhysicsObj::GetStepUpHeight @0x0050EA00.</remarks>
-    public float StepUpHeight => Setup is null ? 0.01f : (float)((double)Setup.StepUpHeight * Scale);
+    public float StepUpHeight => Setup is null ? 0f : (float)((double)Setup.StepUpHeight * Scale);
 
-    /// <summary>Deepest step it descends without leaving the ground, metres; 0.01 without a setup.</summary>
+    /// <summary>Deepest step it descends without leaving the ground, metres; 0 without parts.</summary>
     /// <remarks>Retail: CPhysicsObj::GetStepDownHeight @0x0050EA20.</remarks>
-    public float StepDownHeight => Setup is null ? 0.01f : (float)((double)Setup.StepDownHeight * Scale);
+    public float StepDownHeight => Setup is null ? 0f : (float)((double)Setup.StepDownHeight * Scale);
 
     /// <summary>Height, metres; 0 without parts.</summary>
     public float Height => Setup is null ? 0f : (float)((double)Setup.Height * Scale);

@@ -2,24 +2,34 @@ using Surefoot.Physics.Geometry;
 
 namespace Surefoot.Physics.Motion;
 
-/// <summary>What movement needs of an animation: how many frames it has and how the body itself moves in each. Immutable.</summary>
+/// <summary>
+/// What movement needs of an animation: how many frames it has, how the body itself moves in each, where its parts are, and what happens then. Immutable.
+/// </summary>
 public sealed class AnimationAsset
 {
     private readonly Frame[] positionFrames;
+    private readonly Frame[] partFrames;
+    private readonly int partCount;
+    private readonly MotionHook[] hooks = [];
 
     /// <summary>An animation.</summary>
     /// <param name="id">Animation id.</param>
     /// <param name="frameCount">Number of frames, at least 1.</param>
     /// <param name="positionFrames">Root motion of each frame, or empty.</param>
-    /// <exception cref="ArgumentException">No frames, or another number of position frames.</exception>
-    public AnimationAsset(uint id, int frameCount, ReadOnlySpan<Frame> positionFrames = default)
+    /// <param name="partFrames">All parts of the first frame, then all of the second, and so on; empty where nobody asks where the parts are.</param>
+    /// <exception cref="ArgumentException">No frames, another number of position frames, or part frames that do not divide by the frames.</exception>
+    public AnimationAsset(uint id, int frameCount, ReadOnlySpan<Frame> positionFrames = default, ReadOnlySpan<Frame> partFrames = default)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(frameCount, 1);
         if (positionFrames.Length != 0 && positionFrames.Length != frameCount)
             throw new ArgumentException($"Animation 0x{id:X8} has {frameCount} frames but {positionFrames.Length} position frames.", nameof(positionFrames));
+        if (partFrames.Length % frameCount != 0)
+            throw new ArgumentException($"Animation 0x{id:X8} has {frameCount} frames, which do not share {partFrames.Length} part frames evenly.", nameof(partFrames));
         Id = id;
         FrameCount = frameCount;
         this.positionFrames = positionFrames.ToArray();
+        this.partFrames = partFrames.ToArray();
+        partCount = partFrames.Length / frameCount;
     }
 
     /// <summary>Animation id.</summary>
@@ -30,4 +40,15 @@ public sealed class AnimationAsset
 
     /// <summary>Root motion of each frame (metres, body axes); empty when the body moves by velocity only.</summary>
     public ReadOnlySpan<Frame> PositionFrames => positionFrames;
+
+    /// <summary>Where the parts are in a frame, in the body's frame at scale 1; empty when that was not loaded.</summary>
+    /// <param name="frame">0 to <see cref="FrameCount"/> less one.</param>
+    public ReadOnlySpan<Frame> PartFrames(int frame) => partFrames.AsSpan(frame * partCount, partCount);
+
+    /// <summary>What happens at the frames, those of one frame in the order of the record.</summary>
+    internal ReadOnlySpan<MotionHook> Hooks
+    {
+        get => hooks;
+        init => hooks = value.ToArray();
+    }
 }

@@ -20,6 +20,7 @@ internal sealed class MotionSequence
     private int current = -1;
     private Vector3 velocity;
     private Vector3 omega;
+    private readonly RingQueue<MotionHook> hooks = new();
 
     /// <summary>Number of animations in the list.</summary>
     public int Count { get; private set; }
@@ -45,15 +46,20 @@ internal sealed class MotionSequence
     /// <summary>Animations that play once before the cycle.</summary>
     public int LinkCount => Math.Max(firstCyclic, 0);
 
-    /// <summary>Links that ended since the last call.</summary>
-    public int TakeAnimationsDone()
-    {
-        int done = animationsDone;
-        animationsDone = 0;
-        return done;
-    }
+    /// <summary>What was passed and not yet done, the oldest first.</summary>
+    public RingQueue<MotionHook> Hooks => hooks;
 
-    private int animationsDone;
+    /// <summary>Where the animation playing has the parts now; empty without one.</summary>
+    /// <remarks>Retail: CSequence::get_curr_animframe.</remarks>
+    public ReadOnlySpan<Frame> PartFrames
+    {
+        get
+        {
+            if (current < 0) return [];
+            AnimationAsset animation = nodes[current].Animation;
+            return animation.PartFrames(Math.Clamp((int)Math.Floor(FrameNumber), 0, animation.FrameCount - 1));
+        }
+    }
 
     /// <summary>Sets both velocities to zero.</summary>
     public void ClearPhysics() => velocity = omega = Vector3.Zero;
@@ -186,7 +192,11 @@ internal sealed class MotionSequence
                     advance = true;
                 }
 
-                for (; Math.Floor(FrameNumber) > last; last++) PassForward(node, (int)last, quantum, ref frame);
+                for (; Math.Floor(FrameNumber) > last; last++)
+                {
+                    PassForward(node, (int)last, quantum, ref frame);
+                    QueueHooks(node.Animation, (int)last, direction: 1);
+                }
             }
             else
             {
@@ -198,11 +208,15 @@ internal sealed class MotionSequence
                     advance = true;
                 }
 
-                for (; Math.Floor(FrameNumber) < last; last--) PassBackward(node, (int)last, quantum, ref frame);
+                for (; Math.Floor(FrameNumber) < last; last--)
+                {
+                    PassBackward(node, (int)last, quantum, ref frame);
+                    QueueHooks(node.Animation, (int)last, direction: -1);
+                }
             }
 
             if (!advance) return;
-            if (firstCyclic != 0) animationsDone++;
+            if (firstCyclic != 0) hooks.Enqueue(new MotionHook(MotionHookKind.AnimationDone, 0, 0, default));
             Advance(quantum, ref frame);
             quantum = timeLeft;
         }
@@ -238,6 +252,14 @@ internal sealed class MotionSequence
         ReadOnlySpan<Frame> positions = node.Animation.PositionFrames;
         if ((uint)index < (uint)positions.Length) frame = Frame.Subtract(frame, positions[index]);
         if (Math.Abs(node.Framerate) > RetailMath.Epsilon) ApplyPhysics(ref frame, 1.0 / node.Framerate, sign);
+    }
+
+    private void QueueHooks(AnimationAsset animation, int index, int direction)
+    {
+        foreach (ref readonly MotionHook hook in animation.Hooks)
+        {
+            if (hook.Frame == index && (hook.Direction == 0 || hook.Direction == direction)) hooks.Enqueue(hook);
+        }
     }
 
     /// <summary>Adds the velocities over a time. The origin moves in the axes the frame began with, not in its own.</summary>

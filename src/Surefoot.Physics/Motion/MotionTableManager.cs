@@ -1,3 +1,5 @@
+using Surefoot.Physics.Bodies;
+
 namespace Surefoot.Physics.Motion;
 
 /// <summary>The animation side of a body: plays motions and says when they are done.</summary>
@@ -78,10 +80,24 @@ public sealed class MotionTableManager
     }
 
     /// <summary>Advances the animations and adds the motion of the body in its own axes.</summary>
-    internal void Update(float quantum, ref Geometry.Frame offset)
+    internal void Update(float quantum, ref Geometry.Frame offset) => Sequence.Update(quantum, ref offset);
+
+    /// <summary>Does what the animations have passed since the last call; a hook that leads to another one sees it done as well.</summary>
+    /// <param name="owner">The body; null when only the ends of animations count.</param>
+    /// <remarks>Retail: the second half of CPhysicsObj::process_hooks @0x00511550.</remarks>
+    internal void ProcessHooks(PhysicsBody? owner)
     {
-        Sequence.Update(quantum, ref offset);
-        for (int done = Sequence.TakeAnimationsDone(); done > 0; done--) AnimationDone(success: true);
+        while (Sequence.Hooks.Count > 0)
+        {
+            MotionHook hook = Sequence.Hooks.Dequeue();
+            switch (hook.Kind)
+            {
+                case MotionHookKind.AnimationDone: AnimationDone(success: true); break;
+                case MotionHookKind.Ethereal: owner?.SetEthereal(hook.Value.X != 0); break;
+                case MotionHookKind.Omega: owner?.SetOmega(hook.Value); break;
+                case MotionHookKind.Scale: owner?.SetScale(hook.Value.X, hook.Value.Y); break;
+            }
+        }
     }
 
     /// <summary>An animation ended; every motion whose animations have all ended is done.</summary>

@@ -73,6 +73,12 @@ public sealed class MovementManager : IBodyMovement
     public void AccumulateRootMotion(float quantum, ref Frame offset) => Animation?.Update(quantum, ref offset);
 
     /// <inheritdoc/>
+    public void ProcessHooks(PhysicsBody owner) => Animation?.ProcessHooks(owner);
+
+    /// <inheritdoc/>
+    public ReadOnlySpan<Frame> PartFrames => Animation is null ? [] : Animation.Sequence.PartFrames;
+
+    /// <inheritdoc/>
     public void UseTime() => Animation?.CheckForCompletedMotions();
 
     /// <inheritdoc/>

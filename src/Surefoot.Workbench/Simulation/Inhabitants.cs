@@ -39,13 +39,13 @@ internal sealed class Inhabitants
     public Inhabitants(PhysicsEngine engine, PhysicsDataCache cache, IReadOnlyList<DemoSpawn> spawns, ulong seed)
     {
         this.engine = engine;
-        Dictionary<uint, MotionTableAsset> tables = [];
+        Dictionary<(uint Id, bool WithParts), MotionTableAsset> tables = [];
         for (int i = 0; i < spawns.Count; i++)
         {
             SetupAsset setup = cache.GetSetup(spawns[i].SetupId);
-            uint tableId = setup.DefaultMotionTableId;
-            if (tableId != 0 && !tables.ContainsKey(tableId)) tables[tableId] = MotionTableLoader.Load(cache.Source, tableId);
-            Inhabitant one = new(engine, FirstId + (uint)i, spawns[i], setup, tables.GetValueOrDefault(tableId), seed + (ulong)i);
+            (uint Id, bool WithParts) key = (setup.DefaultMotionTableId, setup.HasPhysicsBsp);
+            if (key.Id != 0 && !tables.ContainsKey(key)) tables[key] = MotionTableLoader.Load(cache.Source, key.Id, key.WithParts);
+            Inhabitant one = new(engine, FirstId + (uint)i, spawns[i], setup, tables.GetValueOrDefault(key), seed + (ulong)i);
             all.Add(one);
             byId[one.Body.Id] = one;
             one.Body.EnterWorld(one.Home);

@@ -134,6 +134,49 @@ public class CollisionReportTests
         Assert.Equal(PhysicsState.Default, f.Body.State);
     }
 
+    [Fact, Behaviour("body.reports.removed-while-told", "spec/02, 4.15 report_collision_end")]
+    public void A_body_may_be_removed_by_the_one_who_is_told_of_an_end()
+    {
+        (BodyFixture f, Witness witness) = Witnessed();
+        f.Seat(new(12, 12, 0), Vector3.Zero, BodyFixture.Standing);
+        CollisionInfo touch = Touching(false);
+        for (uint id = 2; id < 6; id++) touch.AddObject(f.Engine.CreateBody(id, null, PhysicsState.Default), TransitionState.Collided);
+        f.Body.HandleAllCollisions(touch, hadContact: true, hadWalkable: true, simulatedTime: 1);
+        witness.AtEnd = () => f.Engine.RemoveBody(f.Body);
+        f.Body.HandleAllCollisions(Touching(false), hadContact: true, hadWalkable: true, simulatedTime: 9);
+        Assert.Equal([2u, 3u, 4u, 5u], witness.Ends.Order());
+        Assert.Null(f.Engine.Find(1));
+    }
+
+    [Fact, Behaviour("body.reports.as-environment", "spec/02, 4.15, 1")]
+    public void An_object_that_counts_as_environment_is_reported_as_such_and_its_end_is_not()
+    {
+        (BodyFixture f, Witness witness) = Witnessed();
+        PhysicsBody wall = f.Engine.CreateBody(2, null, PhysicsState.Default | PhysicsState.ReportCollisionsAsEnvironment, Creature);
+        f.Seat(new(12, 12, 0), Vector3.Zero, BodyFixture.Standing);
+        CollisionInfo touch = Touching(false);
+        touch.AddObject(wall, TransitionState.Collided);
+        f.Body.HandleAllCollisions(touch, hadContact: true, hadWalkable: true, simulatedTime: 1);
+        Assert.Equal(1, witness.Environments);
+        Assert.Empty(witness.Objects);
+        f.Body.HandleAllCollisions(Touching(false), hadContact: true, hadWalkable: true, simulatedTime: 3);
+        Assert.Empty(witness.Ends);
+    }
+
+    [Fact, Behaviour("body.reports.ethereal-ends-at-once", "spec/02, 4.15 report_collision_end")]
+    public void A_touch_of_something_ethereal_ends_with_the_next_time()
+    {
+        (BodyFixture f, Witness witness) = Witnessed();
+        PhysicsBody mist = f.Engine.CreateBody(2, null, PhysicsState.Default | PhysicsState.Ethereal, Creature);
+        f.Seat(new(12, 12, 0), Vector3.Zero, BodyFixture.Standing);
+        CollisionInfo touch = Touching(false);
+        touch.AddObject(mist, TransitionState.OK);
+        f.Body.HandleAllCollisions(touch, hadContact: true, hadWalkable: true, simulatedTime: 1);
+        Assert.Empty(witness.Ends);
+        f.Body.HandleAllCollisions(Touching(false), hadContact: true, hadWalkable: true, simulatedTime: 1.01);
+        Assert.Equal([2u], witness.Ends);
+    }
+
     private static (BodyFixture Fixture, Witness Witness) Witnessed()
     {
         BodyFixture f = new();
@@ -153,6 +196,8 @@ public class CollisionReportTests
 
         public List<uint> Ends { get; } = [];
 
+        public Action? AtEnd { get; set; }
+
         public void OnEnvironmentCollision(PhysicsBody body, in EnvironmentCollision collision) => Environments++;
 
         public void OnObjectCollision(WorldObject body, in ObjectCollision collision)
@@ -162,6 +207,13 @@ public class CollisionReportTests
 
         public void OnAttackCollision(WorldObject body, in AttackCollision collision) => throw new InvalidOperationException("There is no missile.");
 
-        public void OnCollisionEnd(WorldObject body, uint objectId) => Ends.Add(objectId);
+        public void OnCollisionEnd(WorldObject body, uint objectId)
+        {
+            if (body.Id != 1) return;
+            Ends.Add(objectId);
+            Action? act = AtEnd;
+            AtEnd = null;
+            act?.Invoke();
+        }
     }
 }

@@ -52,4 +52,36 @@ public class MotionTableLoaderTests
         Assert.Equal(0, walk.Animations.Length);
         Assert.Equal(new Vector3(0, 3.12f, 0), walk.Velocity);
     }
+
+    [Fact]
+    [Behaviour("motion.table.loads-parts-and-hooks", "spec/07, 7.6 to 7.8; spec/02, 4.18")]
+    public void Parts_are_loaded_on_request_and_the_hooks_that_matter_to_movement_always()
+    {
+        Animation swing = new()
+        {
+            Id = 0x03000001,
+            PartCount = 2,
+            Frames =
+            [
+                new AnimFrame([new DatFrame(Vector3.UnitX, Quaternion.Identity), DatFrame.Identity], [new SoundHook(1), new EtherealHook(1) { Direction = 1 }]),
+                new AnimFrame(
+                    [DatFrame.Identity, new DatFrame(Vector3.UnitY, Quaternion.Identity)],
+                    [new SetOmegaHook(Vector3.UnitZ), new ScaleHook(2, 0.5f) { Direction = -1 }, new ScaleHook(float.NaN, 0), new EtherealHook(0)]),
+            ],
+        };
+        AnimationAsset Load(bool parts) => MotionTableLoader.Create(Table, id => id == swing.Id ? swing : null, parts)
+            .Cycle(MotionCommand.NonCombat, MotionCommand.Ready)!.Animations[0].Animation;
+
+        Assert.Equal(0, Load(parts: false).PartFrames(1).Length);
+        AnimationAsset animation = Load(parts: true);
+        Assert.Equal((2, Vector3.UnitX), (animation.PartFrames(0).Length, animation.PartFrames(0)[0].Origin));
+        Assert.Equal(Vector3.UnitY, animation.PartFrames(1)[1].Origin);
+        Assert.Equal(
+            [
+                new MotionHook(MotionHookKind.Ethereal, 0, 1, Vector3.UnitX), new MotionHook(MotionHookKind.Omega, 1, 0, Vector3.UnitZ),
+                new MotionHook(MotionHookKind.Scale, 1, -1, new Vector3(2, 0.5f, 0)), new MotionHook(MotionHookKind.Ethereal, 1, 0, Vector3.Zero),
+            ],
+            animation.Hooks.ToArray());
+        Assert.Throws<ArgumentException>(() => new AnimationAsset(1, 2, default, new Physics.Geometry.Frame[3]));
+    }
 }

@@ -27,6 +27,7 @@ public class MotionTableTests
         {
             Frame offset = Frame.Identity;
             manager.Update(Tick, ref offset);
+            manager.ProcessHooks(null);
             total += offset.Origin.Y;
         }
 

@@ -107,6 +107,13 @@ public class SequenceTests
         Assert.Equal(0f, Advance(sequence, 0.0001).Origin.Y);
     }
 
+    private static int TakeHooks(MotionSequence sequence)
+    {
+        int count = sequence.Hooks.Count;
+        sequence.Hooks.Clear();
+        return count;
+    }
+
     [Fact]
     [Behaviour("motion.sequence.links-once-then-cycle", "spec/01b, 1; CSequence::append_animation")]
     public void Links_play_once_and_the_last_animation_repeats()
@@ -120,14 +127,14 @@ public class SequenceTests
         Assert.Same(link, sequence.CurrentAnimation);
 
         Advance(sequence, 0.35);
-        Assert.Equal(1, sequence.TakeAnimationsDone());
+        Assert.Equal(1, TakeHooks(sequence));
         Assert.Equal(2, sequence.Count);
         Advance(sequence, 0.3);
-        Assert.Equal(1, sequence.TakeAnimationsDone());
+        Assert.Equal(1, TakeHooks(sequence));
         Assert.Equal(1, sequence.Count);
         Assert.Same(cycle, sequence.CurrentAnimation);
         Advance(sequence, 5.0);
-        Assert.Equal(0, sequence.TakeAnimationsDone());
+        Assert.Equal(0, TakeHooks(sequence));
         Assert.Same(cycle, sequence.CurrentAnimation);
     }
 
