@@ -3,10 +3,14 @@
 
 import * as THREE from "three";
 
-/** Metres above the feet that the view is freed for, and how far around. */
-const targetHeight = 1.1;
-const clearRadius = 0.95;
-const softRadius = 1.35;
+/** Metres above the feet of the middle of what must be seen, its half width and half height, and by how much the rim of the cut is wider. */
+const targetHeight = 1.15;
+const clearWidth = 0.6;
+const clearHeight = 0.8;
+const rim = 1.3;
+
+/** From this distance on the cut keeps its size on screen, metres. */
+const growsFrom = 8;
 
 /** An upright box, relative to the drawing's origin. */
 export interface Box {
@@ -47,6 +51,7 @@ const fragmentHead = /* glsl */ `
   uniform vec3 uCutMin;
   uniform vec3 uCutMax;
   uniform float uCutOpens;
+  uniform bool uCutGround;
 
   bool isInCutBox() {
     return all(greaterThan(vCutPlace, uCutMin)) && all(lessThan(vCutPlace, uCutMax));
@@ -64,9 +69,12 @@ const fragmentHead = /* glsl */ `
     float along = dot(from, way) / far;
     // What is nearer to the target than its own radius is beside the player and not before it.
     if (along < 0.0 || along > far - 0.35) return false;
-    float beside = length(from - way * (along / far));
-    float cone = along / far;
-    float edge = (beside / max(cone, 0.12) - ${clearRadius.toFixed(2)}) / ${(softRadius - clearRadius).toFixed(2)};
+    float cone = max(along / far, 0.12);
+    vec3 aside = normalize(cross(way, vec3(0.0, 0.0, 1.0)) + vec3(1e-5, 0.0, 0.0));
+    vec3 off = from - way * (along / far);
+    float across = dot(off, aside);
+    float beside = length(vec2(across / ${clearWidth.toFixed(2)}, length(off - aside * across) / ${clearHeight.toFixed(2)})) / (cone * max(1.0, far / ${growsFrom.toFixed(1)}));
+    float edge = (beside - 1.0) / ${(rim - 1).toFixed(2)};
     return edge < cutGrain();
   }
 `;
@@ -75,7 +83,7 @@ const fragmentBody: Record<CutKind, string> = {
   shell: /* glsl */ `if ((uCutOpens > 0.5 && isInCutBox()) || isBetween()) discard;`,
   room: /* glsl */ `if (vRoomFloor > uCutCeiling || (uCutOpens > 1.5 && isInCutBox()) || isBetween()) discard;`,
   thing: /* glsl */ `if (isBetween()) discard;`,
-  ground: /* glsl */ `if (uCutOpens > 0.5 && uCutOpens < 1.5 && isInCutBox()) discard;`,
+  ground: /* glsl */ `if (uCutGround && uCutOpens > 0.5 && isInCutBox()) discard;`,
 };
 
 /** Where the camera is: 0 the player is outdoors, 1 the player is inside, 2 only the camera is inside. */
@@ -89,7 +97,11 @@ export class Cutaway {
     uCutMin: { value: new THREE.Vector3() },
     uCutMax: { value: new THREE.Vector3() },
     uCutOpens: { value: 0 as Opens },
+    uCutGround: { value: false },
   };
+
+  /** Off, nothing is cut away. */
+  enabled = true;
 
   /** Whether anything was opened in the last frame, and why; see the shader. */
   get opens(): Opens {
@@ -121,14 +133,21 @@ export class Cutaway {
    * @param feet the player's feet
    * @param indoors the player is in a room
    * @param ceiling the top of that room, metres; null when it is not known
+   * @param below the player is under the ground
    * @param shells boxes around the buildings near by
    */
-  update(eye: THREE.Vector3, feet: THREE.Vector3, indoors: boolean, ceiling: number | null, shells: Iterable<Box>): void {
+  update(eye: THREE.Vector3, feet: THREE.Vector3, indoors: boolean, ceiling: number | null, below: boolean, shells: Iterable<Box>): void {
     const u = this.uniforms;
     u.uCutEye.value.copy(eye);
     u.uCutTarget.value.set(feet.x, feet.y, feet.z + targetHeight);
     u.uCutCeiling.value = indoors && ceiling !== null ? ceiling - 0.3 : 1e9;
+    u.uCutGround.value = below;
     u.uCutOpens.value = 0;
+    if (!this.enabled) {
+      u.uCutTarget.value.copy(eye);
+      u.uCutCeiling.value = 1e9;
+      return;
+    }
     for (const box of shells) {
       const inside = indoors && contains(box, u.uCutTarget.value);
       if (!inside && !(contains(box, eye) && !indoors)) continue;

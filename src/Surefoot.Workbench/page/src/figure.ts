@@ -46,7 +46,7 @@ export class Figure {
     const guard = outfit === "guard";
     const hue = guard ? 0 : (0.58 + player * 0.381966) % 1;
     const saturation = outfit === "plain" ? 0 : 1;
-    const cloth = matte(new THREE.Color().setHSL(hue, 0.5 * saturation, outfit === "plain" ? 0.7 : 0.36));
+    const cloth = matte(new THREE.Color().setHSL(hue, (guard ? 0.75 : 0.5) * saturation, guard ? 0.24 : outfit === "plain" ? 0.7 : 0.36));
     const trim = matte(new THREE.Color().setHSL(guard ? 0.11 : hue, 0.45 * saturation, guard ? 0.4 : outfit === "plain" ? 0.45 : 0.22));
     cloth.userData.tinted = trim.userData.tinted = outfit === "plain";
     const skin = matte(0xd9a37c);
@@ -167,7 +167,7 @@ export class Figure {
     const spear = new THREE.Group();
     spear.add(part(new THREE.CylinderGeometry(0.018, 0.018, 2.2, 8).rotateX(Math.PI / 2), wood, 0, 0, 0));
     spear.add(part(new THREE.ConeGeometry(0.045, 0.22, 8).rotateX(Math.PI / 2), steel, 0, 0, 1.2));
-    spear.position.set(0.42, 0.12, 0.2);
+    spear.position.set(0.34, 0.1, 0.2);
     this.pelvis.add(spear);
   }
 

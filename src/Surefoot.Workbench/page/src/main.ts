@@ -170,10 +170,18 @@ function drawMe(player: Player, last: OwnPose, time: number, now: number, dt: nu
   const feet = player.figure.group.position;
   stage.lights.follow(feet);
   stage.view.update(feet, player.drawn.yaw, dt, indoors, (x, y) => terrain.heightAt(x + origin.x, y + origin.y));
-  cutaway.update(stage.view.camera.position, feet, indoors, objects.topOf(last.cell), objects.shellsAround(block));
+  cutWay(feet, last.cell);
   hud.showDoor(bodies.doorAt(player.drawn.position));
   hud.showCharge((last.flags & PoseFlag.Charging) !== 0, player.drawn.charge);
   if (terrain.drawn > 0) hud.uncover();
+}
+
+function cutWay(feet: THREE.Vector3, cell: number): void {
+  const block = blockOf(cell);
+  const indoors = (cell & 0xffff) >= 0x100;
+  const ground = terrain.heightAt(feet.x + origin.x, feet.y + origin.y);
+  const below = indoors && ground !== null && ground > feet.z + 0.5;
+  cutaway.update(stage.view.camera.position, feet, indoors, objects.topOf(cell), below, objects.shellsAround(block));
 }
 
 function move(player: Player, time: number, now: number, dt: number): void {
@@ -306,6 +314,15 @@ const inspection = {
   /** What is cut away: 1 the shell around the player, 2 the building around the camera; floors from this height on. */
   get cut(): { opens: number; ceiling: number } {
     return { opens: cutaway.opens, ceiling: cutaway.ceiling };
+  },
+  /** Pixels, of a small picture of the view, in which the player is seen; with the cutaway, or as it would be without. */
+  seen(cut: boolean): number {
+    if (!me || !pose) return 0;
+    cutaway.enabled = cut;
+    cutWay(me.figure.group.position, pose.cell);
+    const pixels = stage.pixelsOf(me.figure.group);
+    cutaway.enabled = true;
+    return pixels;
   },
   get plainShapes(): boolean {
     return objects.showsPlain;

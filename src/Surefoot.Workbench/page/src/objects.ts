@@ -38,10 +38,11 @@ export class Objects {
     this.materials = {
       objects: cutaway.cut(new THREE.MeshLambertMaterial({ color: 0x9c8460, flatShading: true }), "thing"),
       rocks: cutaway.cut(new THREE.MeshLambertMaterial({ vertexColors: true, flatShading: true }), "thing"),
-      shells: cutaway.cut(new THREE.MeshLambertMaterial({ color: 0xcdb58e, flatShading: true }), "shell"),
+      // The outer faces cast the shadow: the inner ones lie on the walls of the rooms, where light would leak in.
+      shells: cutaway.cut(new THREE.MeshLambertMaterial({ color: 0xcdb58e, flatShading: true, shadowSide: THREE.FrontSide }), "shell"),
       // Floors lie in the ground's own plane.
       rooms: cutaway.cut(
-        new THREE.MeshLambertMaterial({ color: 0xb59f7d, emissive: 0x2e271d, flatShading: true, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -2 }),
+        new THREE.MeshLambertMaterial({ vertexColors: true, emissive: 0x2e2a22, flatShading: true, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -2 }),
         "room",
       ),
     };
@@ -197,6 +198,7 @@ export class Objects {
       for (let i = 0; i < edges.length / 3; i++) lineFloors.push(box.min.z);
     }
     const [mesh] = this.mesh(new Float32Array(corners), this.materials.rooms, this.edges.room);
+    mesh.geometry.setAttribute("color", new THREE.BufferAttribute(roomColors(mesh.geometry.getAttribute("normal")), 3));
     mesh.geometry.setAttribute("roomFloor", new THREE.BufferAttribute(new Float32Array(floors), 1));
     const outline = new THREE.BufferGeometry();
     outline.setAttribute("position", new THREE.BufferAttribute(new Float32Array(lines), 3));
@@ -251,6 +253,23 @@ export class Objects {
       });
     }
   }
+}
+
+/** Boards below, timber above, plaster between, one wall a little lighter than the next: rooms lie in the shade, where light alone shows no edges. */
+function roomColors(normals: THREE.BufferAttribute | THREE.InterleavedBufferAttribute): Float32Array {
+  const colors = new Float32Array(normals.count * 3);
+  const floor = new THREE.Color(0xa07c50);
+  const ceiling = new THREE.Color(0x8c7452);
+  const wall = new THREE.Color(0xd6c4a0);
+  const color = new THREE.Color();
+  for (let i = 0; i < normals.count; i++) {
+    const z = normals.getZ(i);
+    if (z > 0.6) color.copy(floor);
+    else if (z < -0.6) color.copy(ceiling);
+    else color.copy(wall).multiplyScalar(0.8 + 0.2 * Math.abs(normals.getX(i)) + 0.1 * normals.getY(i));
+    color.toArray(colors, i * 3);
+  }
+  return colors;
 }
 
 function boxOf(shape: NamedShape): THREE.Box3 {

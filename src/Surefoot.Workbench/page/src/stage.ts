@@ -48,6 +48,34 @@ export class Stage {
     this.adapt(dt);
   }
 
+  /** In how many pixels of a small picture of the view an object is seen. */
+  pixelsOf(object: THREE.Object3D): number {
+    const width = 480;
+    const height = 270;
+    const target = new THREE.WebGLRenderTarget(width, height);
+    const shadows = this.renderer.shadowMap.autoUpdate;
+    // The object's shadow stays: it is not the object.
+    this.renderer.shadowMap.autoUpdate = false;
+    const picture = (): Uint8Array => {
+      const pixels = new Uint8Array(width * height * 4);
+      this.renderer.setRenderTarget(target);
+      this.renderer.render(this.scene, this.view.camera);
+      this.renderer.readRenderTargetPixels(target, 0, 0, width, height, pixels);
+      return pixels;
+    };
+    const present = picture();
+    const { visible } = object;
+    object.visible = false;
+    const without = picture();
+    object.visible = visible;
+    this.renderer.setRenderTarget(null);
+    this.renderer.shadowMap.autoUpdate = shadows;
+    target.dispose();
+    let seen = 0;
+    for (let i = 0; i < present.length; i += 4) if (present[i] !== without[i] || present[i + 1] !== without[i + 1] || present[i + 2] !== without[i + 2]) seen++;
+    return seen;
+  }
+
   /** A machine that cannot draw 40 frames a second gives up frosted glass, then grass, sharpness and shadows: motion comes first. */
   private adapt(dt: number): void {
     if (dt > 0.5) return;

@@ -1,0 +1,115 @@
+using System.Globalization;
+using System.Numerics;
+using System.Text.Json;
+using Surefoot.Workbench.Simulation;
+using Surefoot.Workbench.Tests.Support;
+
+namespace Surefoot.Workbench.Tests;
+
+/// <summary>What stands and lives in the world, as a real browser shows it.</summary>
+public sealed class InhabitedPageTests(Browser browser) : IClassFixture<Browser>, IAsyncLifetime
+{
+    private WorkbenchServer server = null!;
+
+    public async ValueTask InitializeAsync() => server = await Worlds.StartAsync();
+
+    public async ValueTask DisposeAsync() => await server.DisposeAsync();
+
+    [Fact]
+    [Behaviour("workbench.browser.creatures-are-drawn", "design.md, Who uses it")]
+    public async Task The_crowd_and_the_creatures_are_there_and_the_creatures_walk()
+    {
+        await using Tab tab = await browser.OpenAsync(server);
+        await GoTo(tab, "A crowd of a hundred");
+        await tab.Until($"window.surefoot.bodies.filter((one) => one.type === {(int)BodyKind.Crowd}).length === 100", "the page is told of a hundred people");
+        await tab.Until("window.surefoot.drawnThings.crowd === 100", "they are drawn");
+        await GoTo(tab, "Creatures at pasture");
+        string creatures = $"window.surefoot.bodies.filter((one) => one.type === {(int)BodyKind.Wanderer})";
+        await tab.Until($"{creatures}.length === 6", "six creatures are near");
+        await tab.Until($"{creatures}.some((one) => Math.hypot(one.velocity.x, one.velocity.y) > 0.5)", "one of them walks");
+        await tab.Until("window.surefoot.drawnThings.plants > 0", "trees are drawn as trees");
+        await tab.Page.Keyboard.PressAsync("v");
+        await tab.Until("window.surefoot.plainShapes && window.surefoot.drawnThings.plants === 0", "V shows their collision shapes instead");
+        Assert.Empty(tab.Complaints);
+    }
+
+    [Fact]
+    [Behaviour("workbench.browser.door-opens-and-closes", "design.md, Who uses it")]
+    public async Task F_opens_the_door_at_hand_and_it_closes_by_itself()
+    {
+        await using Tab tab = await browser.OpenAsync(server);
+        await GoTo(tab, "A door");
+        string door = $"window.surefoot.bodies.find((one) => one.type === {(int)BodyKind.Door})";
+        await tab.Until($"{door}?.flags === 0 && window.surefoot.drawnThings.door === 0", "the door is closed");
+        await tab.Page.Keyboard.DownAsync("w");
+        await tab.Until("window.surefoot.touches.some((one) => one.name === 'door')", "the closed door stops the player");
+        await tab.Page.Keyboard.UpAsync("w");
+        await tab.Until("window.surefoot.panel.touches.includes('door')", "the panel names it");
+        await tab.Until("!document.getElementById('prompt').hidden", "the page says which key opens it");
+
+        await tab.Page.Keyboard.PressAsync("f");
+        await tab.Until($"{door}.flags === {(int)BodyFlags.Open}", "the door is open");
+        await tab.Until("window.surefoot.drawnThings.door > 0.8", "it is drawn swung open");
+        await tab.Until($"{door}.flags === 0", "it closes after a while");
+        await tab.Until("window.surefoot.drawnThings.door < 0.1", "it is drawn closed");
+        Assert.Empty(tab.Complaints);
+    }
+
+    [Fact]
+    [Behaviour("workbench.browser.cutaway-indoors", "design.md, Who uses it")]
+    public async Task In_a_house_the_wall_before_the_camera_is_cut_away_and_the_panel_names_the_wall_run_into()
+    {
+        await using Tab tab = await browser.OpenAsync(server);
+        await GoTo(tab, "In the hall");
+        await tab.Until("window.surefoot.cut.opens === 1", "the house is opened around the player");
+        await tab.Page.Keyboard.DownAsync("q");
+        string cell = (await tab.Read("window.surefoot.panel.cell")).GetString()!;
+        await tab.Until($"window.surefoot.panel.touches === 'room {cell} 90°'", "the panel names the room's wall");
+        await tab.Page.Keyboard.UpAsync("q");
+        Assert.StartsWith($"room {cell}\nslope 0.0", (await tab.Read("window.surefoot.panel.footing")).GetString(), StringComparison.Ordinal);
+
+        // Beside the doorway the front wall is between the camera and the player.
+        await tab.Until("window.surefoot.seen(false) === 0", "without the cut the wall hides the player");
+        Assert.True(await tab.Number("window.surefoot.seen(true)") > 1000);
+        Assert.Empty(tab.Complaints);
+    }
+
+    [Fact]
+    [Behaviour("workbench.browser.cutaway-behind-a-house", "design.md, Who uses it")]
+    public async Task Behind_a_house_the_player_is_seen_through_it()
+    {
+        await using Tab tab = await browser.OpenAsync(server);
+        await GoTo(tab, "At a house's door");
+        await tab.Page.Mouse.MoveAsync(300, 250);
+        await tab.Page.Mouse.WheelAsync(0, 900);
+        await tab.Page.Mouse.DownAsync();
+        await tab.Page.Mouse.MoveAsync(871, 250, new() { Steps = 6 });
+        await tab.Page.Mouse.UpAsync();
+        await tab.Until("window.surefoot.shapes > 0 && window.surefoot.cut.opens === 0", "the camera is beyond the house");
+        await tab.Until("window.surefoot.seen(false) === 0 && window.surefoot.seen(true) > 10", "the house hides the player only without the cut");
+    }
+
+    [Fact]
+    [Behaviour("workbench.browser.panel-names-the-object-stood-on", "design.md, Who uses it")]
+    public async Task On_a_crate_the_panel_names_the_object_under_the_feet()
+    {
+        WorkbenchPlace before = KnownPlaces.Demo().Single(place => place.Name == "A pile of crates");
+        Vector3 above = before.Position + new Vector3(-0.3f, 5, 1.5f);
+        await using WorkbenchServer crates = await WorkbenchServer.StartAsync(new WorkbenchOptions { Port = 0, Places = [before with { Position = above }] });
+        await using Tab tab = await browser.OpenAsync(crates);
+        await tab.Until("window.surefoot.touches.some((one) => one.footing)", "the player has landed");
+        Assert.Equal((int)TouchKind.Object, await tab.Number("window.surefoot.touches.find((one) => one.footing).type"));
+        uint id = (uint)await tab.Number("window.surefoot.touches.find((one) => one.footing).id");
+        await tab.Until($"window.surefoot.panel.footing === 'object 0x{id.ToString("X8", CultureInfo.InvariantCulture)}\\nslope 0.0°'", "the panel names the crate and its slope");
+    }
+
+    private static async Task GoTo(Tab tab, string place)
+    {
+        await tab.Until("window.surefoot.places.length > 0", "the places are listed");
+        JsonElement places = await tab.Read("window.surefoot.places.map((one) => one.name)");
+        int index = places.EnumerateArray().Select(one => one.GetString()).ToList().IndexOf(place);
+        await tab.Page.Locator("#places").SelectOptionAsync(index.ToString(CultureInfo.InvariantCulture));
+        uint cell = (uint)await tab.Number($"window.surefoot.places[{index}].cell");
+        await tab.Until($"window.surefoot.pose.cell >>> 16 === {cell >> 16} && window.surefoot.drawn?.teleports === window.surefoot.pose.teleports && window.surefoot.pose.teleports > 0", $"the player is at {place}");
+    }
+}
