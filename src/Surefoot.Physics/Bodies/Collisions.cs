@@ -77,7 +77,7 @@ public sealed partial class PhysicsBody
         {
             if (State.Has(PhysicsState.ReportCollisions) && Weenie != WeenieTraits.None)
             {
-                if (wasMissile) Listener?.OnAttackCollision(this, new AttackCollision(other.Id, QuadrantOf(other, this)));
+                if (wasMissile) Listener?.OnAttackCollision(this, new AttackCollision(other.Id, other.Position.QuadrantOf(PositionField, other.Height)));
                 else Listener?.OnObjectCollision(this, ProfileOf(other, relative, hadContact, otherIsMissile, other.HasContact));
                 reported = true;
             }
@@ -88,7 +88,7 @@ public sealed partial class PhysicsBody
         if (other.State.Has(PhysicsState.ReportCollisions) && !State.Has(PhysicsState.IgnoreCollisions) && other.Weenie != WeenieTraits.None)
         {
             ICollisionListener? listener = (other as PhysicsBody)?.Listener;
-            if (otherIsMissile) listener?.OnAttackCollision(other, new AttackCollision(Id, QuadrantOf(this, other)));
+            if (otherIsMissile) listener?.OnAttackCollision(other, new AttackCollision(Id, PositionField.QuadrantOf(other.Position, Height)));
             // Retail hands over the missile and contact flags the wrong way round; so do we.
             else listener?.OnObjectCollision(other, ProfileOf(this, relative, other.HasContact, hadContact, wasMissile));
             reported = true;
@@ -154,14 +154,4 @@ public sealed partial class PhysicsBody
 
     private static ObjectCollision ProfileOf(WorldObject other, Vector3 relative, bool meInContact, bool isMissile, bool inContact) =>
         other.Weenie == WeenieTraits.None ? default : new ObjectCollision(other.Id, relative, other.Weenie, meInContact, isMissile, inContact);
-
-    /// <summary>Which part of <paramref name="target"/> faces <paramref name="missile"/>: right or left, front or back, high, medium or low.</summary>
-    /// <remarks>Retail: Position::determine_quadrant @0x005A9580.</remarks>
-    private static int QuadrantOf(WorldObject target, WorldObject missile)
-    {
-        Vector3 p = target.Position.LocalToLocal(missile.Position, Vector3.Zero);
-        int side = p.X >= 0 ? 16 : 8, front = p.Y >= 0 ? 32 : 64;
-        int level = target.Height * 0.333333333 <= p.Z ? target.Height * 0.66666667 <= p.Z ? 1 : 2 : 4;
-        return side | front | level;
-    }
 }

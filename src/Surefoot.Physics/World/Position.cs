@@ -96,7 +96,7 @@ public struct Position : IEquatable<Position>
     public readonly int QuadrantOf(in Position other, float height)
     {
         Vector3 local = LocalToLocal(other, Vector3.Zero);
-        int third = local.Z < height / 3.0 ? 4 : local.Z < 2.0 * height / 3.0 ? 2 : 1;
+        int third = height * 0.333333333 <= local.Z ? height * 0.66666667 <= local.Z ? 1 : 2 : 4;
         return (local.X >= 0 ? 16 : 8) | (local.Y >= 0 ? 32 : 64) | third;
     }
 

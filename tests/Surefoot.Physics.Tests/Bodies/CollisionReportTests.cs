@@ -1,5 +1,6 @@
 using System.Numerics;
 using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Tests.Transitions;
 using Surefoot.Physics.Transitions;
 
 namespace Surefoot.Physics.Tests.Bodies;
@@ -177,6 +178,50 @@ public class CollisionReportTests
         Assert.Equal([2u], witness.Ends);
     }
 
+    [Fact, Behaviour("body.reports.missile-hits", "spec/02, 4.15, 3 and quadrant")]
+    public void A_missile_tells_where_it_hit_and_its_target_hears_of_a_body_with_the_flags_retail_swaps()
+    {
+        BodyFixture f = new(PhysicsState.Default | PhysicsState.Missile | PhysicsState.AlignPath | PhysicsState.PathClipped);
+        Witness mine = new(), theirs = new();
+        f.Body.SetWeenie(WeenieTraits.Present);
+        f.Body.Listener = mine;
+        PhysicsBody target = f.Engine.CreateBody(2, f.Body.Setup, PhysicsState.Default, Creature);
+        target.Listener = theirs;
+        target.Seat(new BodySeat(new(StubWorld.CellId, new Vector3(12, 12, 0)), new(0, 1, 0), TransientState.Contact, default, 0, Vector3.Zero));
+
+        // Left of the target, behind it, and at 1 m of its 1.83 m in the middle third.
+        f.Seat(new(11, 11, 1), new(0, 9, 0), TransientState.None);
+        CollisionInfo touch = Touching(false);
+        touch.AddObject(target, TransitionState.Collided);
+        Assert.True(f.Body.HandleAllCollisions(touch, hadContact: true, hadWalkable: true, simulatedTime: 1));
+        Assert.Equal([new AttackCollision(2, 8 | 64 | 2)], mine.Attacks);
+        Assert.Empty(mine.Profiles);
+        Assert.Equal([new ObjectCollision(1, new(0, 8, 0), WeenieTraits.Present, MeInContact: true, OtherIsMissile: true, OtherInContact: true)], theirs.Profiles);
+        Assert.Equal(PhysicsState.Default, f.Body.State);
+    }
+
+    [Fact, Behaviour("body.reports.both-sides", "spec/02, 4.15, 3 and 4")]
+    public void Both_sides_hear_of_each_other_unless_they_ignore_collisions()
+    {
+        (BodyFixture f, Witness mine) = Witnessed();
+        Witness theirs = new();
+        PhysicsBody other = f.Engine.CreateBody(2, null, PhysicsState.Default, WeenieTraits.Present);
+        other.Listener = theirs;
+        f.Seat(new(12, 12, 0), new(3, 0, 0), BodyFixture.Standing);
+        CollisionInfo touch = Touching(false);
+        touch.AddObject(other, TransitionState.Collided);
+        f.Body.HandleAllCollisions(touch, hadContact: false, hadWalkable: true, simulatedTime: 1);
+        Assert.Equal([new ObjectCollision(2, new(3, 0, 0), WeenieTraits.Present, MeInContact: false, OtherIsMissile: false, OtherInContact: false)], mine.Profiles);
+        Assert.Equal([new ObjectCollision(1, new(3, 0, 0), Creature, MeInContact: false, OtherIsMissile: false, OtherInContact: false)], theirs.Profiles);
+
+        PhysicsBody shy = f.Engine.CreateBody(3, null, PhysicsState.Default | PhysicsState.IgnoreCollisions, WeenieTraits.Present);
+        shy.Listener = theirs;
+        touch = Touching(false);
+        touch.AddObject(shy, TransitionState.Collided);
+        f.Body.HandleAllCollisions(touch, hadContact: true, hadWalkable: true, simulatedTime: 1.1);
+        Assert.Equal((1, 2), (mine.Profiles.Count, theirs.Profiles.Count));
+    }
+
     private static (BodyFixture Fixture, Witness Witness) Witnessed()
     {
         BodyFixture f = new();
@@ -196,16 +241,21 @@ public class CollisionReportTests
 
         public List<uint> Ends { get; } = [];
 
+        public List<ObjectCollision> Profiles { get; } = [];
+
+        public List<AttackCollision> Attacks { get; } = [];
+
         public Action? AtEnd { get; set; }
 
         public void OnEnvironmentCollision(PhysicsBody body, in EnvironmentCollision collision) => Environments++;
 
         public void OnObjectCollision(WorldObject body, in ObjectCollision collision)
         {
+            Profiles.Add(collision);
             if (body.Id == 1) Objects.Add(collision.ObjectId);
         }
 
-        public void OnAttackCollision(WorldObject body, in AttackCollision collision) => throw new InvalidOperationException("There is no missile.");
+        public void OnAttackCollision(WorldObject body, in AttackCollision collision) => Attacks.Add(collision);
 
         public void OnCollisionEnd(WorldObject body, uint objectId)
         {
