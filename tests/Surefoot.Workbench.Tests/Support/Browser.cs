@@ -52,6 +52,13 @@ public sealed class Browser : IAsyncLifetime
     }
 }
 
+/// <summary>Tests in a browser run one after the other: two that draw in software at once would be slow enough to matter.</summary>
+[CollectionDefinition(Name)]
+public sealed class BrowserCollection : ICollectionFixture<Browser>
+{
+    public const string Name = "browser";
+}
+
 /// <summary>A tab, and what it says of itself.</summary>
 internal sealed class Tab : IAsyncDisposable
 {

@@ -48,6 +48,11 @@ export class FollowCamera {
     return this.wantedDistance;
   }
 
+  /** How far the camera is from what it looks at, metres; on its way to the zoom. */
+  get away(): number {
+    return this.distance;
+  }
+
   /** Swings back behind the player. */
   recenter(): void {
     this.recentering = true;

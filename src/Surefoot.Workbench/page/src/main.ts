@@ -330,8 +330,8 @@ const inspection = {
   get triangles(): boolean {
     return terrain.uniforms.triangles.value > 0;
   },
-  get camera(): { orbit: number; zoom: number } {
-    return { orbit: stage.view.orbitAngle, zoom: stage.view.zoom };
+  get camera(): { orbit: number; zoom: number; away: number } {
+    return { orbit: stage.view.orbitAngle, zoom: stage.view.zoom, away: stage.view.away };
   },
   sendRaw(bytes: number[]): void {
     connection.sendRaw(new Uint8Array(bytes).buffer);

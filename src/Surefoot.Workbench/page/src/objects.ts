@@ -2,7 +2,7 @@
 
 import * as THREE from "three";
 import type { Box, Cutaway } from "./cutaway";
-import { Plants } from "./plants";
+import { Plants, type PlantGroups } from "./plants";
 import { decodeShapes, type NamedShape, type Shapes } from "./shapes";
 import { blockSide } from "./world";
 
@@ -11,11 +11,14 @@ const keepRadius = 5;
 const fetchesAtOnce = 3;
 const sharpEdge = 20;
 
+/** Landblocks farther than this have plants of a few triangles. */
+const leafyRadius = 1;
+
 interface Block {
   group: THREE.Group;
-  plants: THREE.Group;
-  /** What is drawn of plants and rocks when the plain shapes are asked for. */
-  plain: THREE.Group;
+  /** Rocks as rocks. */
+  rocks: THREE.Group;
+  plants: PlantGroups;
   shells: { low: THREE.Box3; world: Box }[];
   /** Lowest and highest z of each room, by cell. */
   rooms: Map<number, { floor: number; top: number }>;
@@ -66,7 +69,7 @@ export class Objects {
   /** Plants that are drawn as plants. */
   get plantCount(): number {
     let sum = 0;
-    if (!this.plain) for (const block of this.loaded()) for (const one of block.plants.children) if (one instanceof THREE.InstancedMesh) sum += one.count;
+    if (!this.plain) for (const block of this.loaded()) for (const one of block.plants.near.children) sum += (one as THREE.InstancedMesh).count;
     return sum;
   }
 
@@ -77,7 +80,7 @@ export class Objects {
 
   set showsPlain(shown: boolean) {
     this.plain = shown;
-    for (const block of this.loaded()) this.choose(block);
+    this.chooseAll();
   }
 
   setOrigin(blockX: number, blockY: number): void {
@@ -88,8 +91,11 @@ export class Objects {
 
   /** Fetches what is near the player's landblock and drops what is far. */
   update(block: number): void {
-    if (block !== this.center) this.drop(block);
-    this.center = block;
+    if (block !== this.center) {
+      this.center = block;
+      this.drop(block);
+      this.chooseAll();
+    }
     for (let ring = 0; ring <= drawRadius && this.asked < fetchesAtOnce && performance.now() >= this.retryAt; ring++) this.askRing(block, ring);
   }
 
@@ -113,9 +119,16 @@ export class Objects {
     for (const block of this.blocks.values()) if (typeof block === "object") yield block;
   }
 
-  private choose(block: Block): void {
-    block.plants.visible = !this.plain;
-    block.plain.visible = this.plain;
+  private chooseAll(): void {
+    for (const [id, block] of this.blocks) if (typeof block === "object") this.choose(id, block);
+  }
+
+  private choose(id: number, block: Block): void {
+    const leafy = distance(id, this.center) <= leafyRadius;
+    block.rocks.visible = !this.plain;
+    block.plants.near.visible = !this.plain && leafy;
+    block.plants.far.visible = !this.plain && !leafy;
+    block.plants.plain.visible = this.plain;
   }
 
   private askRing(block: number, ring: number): void {
@@ -147,22 +160,23 @@ export class Objects {
   }
 
   private add(id: number, shapes: Shapes): void {
-    const block: Block = { group: new THREE.Group(), plants: new THREE.Group(), plain: new THREE.Group(), shells: [], rooms: new Map() };
+    const plants = { near: new THREE.Group(), far: new THREE.Group(), plain: new THREE.Group() };
+    const block: Block = { group: new THREE.Group(), rocks: new THREE.Group(), plants, shells: [], rooms: new Map() };
     const solid = (numbers: Float32Array, to: THREE.Group): void => {
       if (numbers.length > 0) to.add(...this.mesh(numbers, this.materials.objects, this.edges.thing));
     };
     solid(shapes.objects, block.group);
-    solid(shapes.rocks, block.plain);
-    this.plants.addTo(block.plants, block.plain, shapes.plants);
-    if (shapes.rocks.length > 0) block.plants.add(this.rocks(shapes.rocks));
+    solid(shapes.rocks, plants.plain);
+    this.plants.addTo(plants, shapes.plants);
+    if (shapes.rocks.length > 0) block.rocks.add(this.rocks(shapes.rocks));
     for (const shell of shapes.shells) {
       if (shell.triangles.length === 0) continue;
       block.shells.push({ low: boxOf(shell), world: { min: new THREE.Vector3(), max: new THREE.Vector3() } });
       block.group.add(...this.mesh(shell.triangles, this.materials.shells, this.edges.shell));
     }
     if (shapes.rooms.length > 0) block.group.add(...this.rooms(shapes.rooms, block));
-    block.group.add(block.plants, block.plain);
-    this.choose(block);
+    block.group.add(block.rocks, plants.near, plants.far, plants.plain);
+    this.choose(id, block);
     this.place(block, id);
     this.blocks.set(id, block);
     this.group.add(block.group);
@@ -242,8 +256,7 @@ export class Objects {
 
   private drop(center: number): void {
     for (const [id, block] of this.blocks) {
-      const far = Math.max(Math.abs((id >> 8) - (center >> 8)), Math.abs((id & 0xff) - (center & 0xff)));
-      if (far <= keepRadius || block === "asked") continue;
+      if (distance(id, center) <= keepRadius || block === "asked") continue;
       this.blocks.delete(id);
       if (block === "none") continue;
       this.group.remove(block.group);
@@ -253,6 +266,11 @@ export class Objects {
       });
     }
   }
+}
+
+/** How many landblocks apart two are, by the longer way. */
+function distance(a: number, b: number): number {
+  return Math.max(Math.abs((a >> 8) - (b >> 8)), Math.abs((a & 0xff) - (b & 0xff)));
 }
 
 /** Boards below, timber above, plaster between, one wall a little lighter than the next: rooms lie in the shade, where light alone shows no edges. */

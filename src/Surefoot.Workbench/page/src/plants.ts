@@ -9,7 +9,15 @@ import type { Plant } from "./shapes";
 interface Kind {
   radius: number;
   height: number;
-  geometry: THREE.BufferGeometry;
+  near: THREE.BufferGeometry;
+  far: THREE.BufferGeometry;
+}
+
+/** Where a landblock's plants go: with all their leaves, as seen from afar, and as the shapes that bodies meet. */
+export interface PlantGroups {
+  near: THREE.Group;
+  far: THREE.Group;
+  plain: THREE.Group;
 }
 
 /** A cylinder more than this many times as high as it is wide carries a pine. */
@@ -30,25 +38,26 @@ export class Plants {
   constructor(cutaway: Cutaway, private readonly plain: THREE.Material) {
     this.material = cutaway.cut(new THREE.MeshLambertMaterial({ vertexColors: true, flatShading: true }), "thing");
     this.kinds = {
-      tree: { radius: 0.35, height: 4, geometry: tree() },
-      pine: { radius: 0.3, height: 5, geometry: pine() },
-      shrub: { radius: 0.5, height: 1, geometry: shrub() },
+      tree: { radius: 0.35, height: 4, near: tree(), far: farTree() },
+      pine: { radius: 0.3, height: 5, near: pine(), far: farPine() },
+      shrub: { radius: 0.5, height: 1, near: shrub(), far: farShrub() },
     };
   }
 
-  /**
-   * @param plants group that plants are added to
-   * @param shapes group that their collision shapes are added to
-   */
-  addTo(plants: THREE.Group, shapes: THREE.Group, list: readonly Plant[]): void {
+  addTo(groups: PlantGroups, list: readonly Plant[]): void {
     for (const name of ["tree", "pine", "shrub"] as const) {
       const some = list.filter((plant) => kindOf(plant) === name);
       if (some.length === 0) continue;
       const kind = this.kinds[name];
-      plants.add(this.instances(kind.geometry, this.material, some, (plant) => new THREE.Vector3(plant.radius / kind.radius, plant.radius / kind.radius, plant.height / kind.height), true));
+      const near = this.instances(kind.near, this.material, some, (plant) => new THREE.Vector3(plant.radius / kind.radius, plant.radius / kind.radius, plant.height / kind.height), true);
+      const far = new THREE.InstancedMesh(kind.far, this.material, some.length);
+      far.instanceMatrix = near.instanceMatrix;
+      far.instanceColor = near.instanceColor;
+      groups.near.add(near);
+      groups.far.add(far);
       const shape = name === "shrub" ? this.shapes.sphere : this.shapes.cylinder;
       const width = name === "shrub" ? 2 : 1;
-      shapes.add(this.instances(shape, this.plain, some, (plant) => new THREE.Vector3(plant.radius * width, plant.radius * width, plant.height), false));
+      groups.plain.add(this.instances(shape, this.plain, some, (plant) => new THREE.Vector3(plant.radius * width, plant.radius * width, plant.height), false));
     }
   }
 
@@ -108,8 +117,20 @@ function shrub(): THREE.BufferGeometry {
   return mergeGeometries([blob(0, 0, 0.45, 0.5, 0.45, 0x55803a), blob(0.25, 0.12, 0.32, 0.3, 0.3, 0x4b7434), blob(-0.2, -0.2, 0.34, 0.32, 0.3, 0x608c42)]);
 }
 
-function trunk(low: number, high: number, height: number): THREE.BufferGeometry {
-  return painted(new THREE.CylinderGeometry(high, low, height, 9, 1, true).rotateX(Math.PI / 2).translate(0, 0, height / 2), 0x6a5138);
+function farTree(): THREE.BufferGeometry {
+  return mergeGeometries([trunk(0.34, 0.2, 2.9, 4), blob(0, 0, 3.5, 1.75, 1.55, 0x4c7633, 0), blob(0.2, 0.1, 4.7, 1.1, 0.95, 0x608a3f, 0)]);
+}
+
+function farPine(): THREE.BufferGeometry {
+  return mergeGeometries([trunk(0.29, 0.14, 1.6, 4), cone(1.5, 3, 1.4, 0x325f3b, 5), cone(0.9, 2.9, 3.7, 0x3e6e48, 5)]);
+}
+
+function farShrub(): THREE.BufferGeometry {
+  return blob(0, 0, 0.45, 0.52, 0.46, 0x55803a, 0);
+}
+
+function trunk(low: number, high: number, height: number, sides = 9): THREE.BufferGeometry {
+  return painted(new THREE.CylinderGeometry(high, low, height, sides, 1, true).rotateX(Math.PI / 2).translate(0, 0, height / 2), 0x6a5138);
 }
 
 /** Feet of the trunk, so that it grows out of the ground and does not stand on it. */
@@ -121,13 +142,13 @@ function roots(radius: number): THREE.BufferGeometry[] {
   });
 }
 
-function cone(radius: number, height: number, low: number, color: number): THREE.BufferGeometry {
-  return painted(new THREE.ConeGeometry(radius, height, 9).rotateX(Math.PI / 2).rotateZ(low).translate(0, 0, low + height / 2), color);
+function cone(radius: number, height: number, low: number, color: number, sides = 9): THREE.BufferGeometry {
+  return painted(new THREE.ConeGeometry(radius, height, sides).rotateX(Math.PI / 2).rotateZ(low).translate(0, 0, low + height / 2), color);
 }
 
 /** A lump of leaves: a ball whose corners are pushed about. */
-function blob(x: number, y: number, z: number, width: number, height: number, color: number): THREE.BufferGeometry {
-  const ball = new THREE.IcosahedronGeometry(1, 1);
+function blob(x: number, y: number, z: number, width: number, height: number, color: number, detail = 1): THREE.BufferGeometry {
+  const ball = new THREE.IcosahedronGeometry(1, detail);
   const corners = ball.getAttribute("position");
   for (let i = 0; i < corners.count; i++) {
     const push = 0.86 + 0.28 * scatter(Math.round(corners.getX(i) * 50) + x * 7, Math.round(corners.getY(i) * 50) + Math.round(corners.getZ(i) * 50) * 3);
