@@ -119,7 +119,6 @@ export class Cutaway {
     const key = material.customProgramCacheKey();
     material.onBeforeCompile = (shader, renderer) => {
       before(shader, renderer);
-      if (kind !== "ground") return;
       Object.assign(shader.uniforms, this.uniforms);
       const define = kind === "room" ? "#define CUT_ROOM\n" : "";
       shader.vertexShader = define + vertexHead + shader.vertexShader.replace("#include <project_vertex>", `#include <project_vertex>\n${vertexBody}`);
