@@ -29,6 +29,17 @@ public sealed class DemoFiles : IDisposable
 
     internal MotionTableAsset Motions { get; }
 
+    internal static Position PlaceOf(DemoSpawn spawn) => new(spawn.CellId, new Frame(spawn.Origin, spawn.Orientation));
+
+    /// <summary>The body of something to be spawned, not yet anywhere.</summary>
+    internal PhysicsBody CreateBody(PhysicsEngine engine, uint id, DemoSpawn spawn)
+    {
+        bool door = spawn.Kind == DemoSpawnKind.Door;
+        return engine.CreateBody(
+            id, Cache.GetSetup(spawn.SetupId), door ? PhysicsState.ReportCollisions : PhysicsState.Default,
+            door ? WeenieTraits.Present : WeenieTraits.Present | WeenieTraits.Creature);
+    }
+
     public void Dispose()
     {
         dats.Dispose();
@@ -110,7 +121,7 @@ internal sealed class DemoWalk
         }
     }
 
-    /// <summary>Turns on the spot and goes that way, degrees clockwise from north.</summary>
+    /// <summary>Turns at once, degrees clockwise from north.</summary>
     internal void Face(float heading) => Body.SetHeading(heading);
 
     /// <summary>Spawns what the demo world wants spawned, as a server would.</summary>
@@ -119,10 +130,8 @@ internal sealed class DemoWalk
         List<PhysicsBody> spawned = [];
         foreach (DemoSpawn spawn in DemoSpawns.All.Where(spawn => spawn.Kind == kind))
         {
-            WeenieTraits traits = WeenieTraits.Present | (kind == DemoSpawnKind.Door ? WeenieTraits.None : WeenieTraits.Creature);
-            PhysicsBody body = engine.CreateBody(0x80000001 + (uint)spawned.Count, files.Cache.GetSetup(spawn.SetupId), PhysicsState.Default, traits);
-            Position position = new(spawn.CellId, new Frame(spawn.Origin, spawn.Orientation));
-            Assert.True(body.EnterWorld(position), spawn.Name);
+            PhysicsBody body = files.CreateBody(engine, 0x80000001 + (uint)spawned.Count, spawn);
+            Assert.True(body.EnterWorld(DemoFiles.PlaceOf(spawn)), spawn.Name);
             spawned.Add(body);
         }
 

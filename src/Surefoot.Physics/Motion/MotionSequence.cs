@@ -20,7 +20,6 @@ internal sealed class MotionSequence
     private int current = -1;
     private Vector3 velocity;
     private Vector3 omega;
-    private readonly RingQueue<MotionHook> hooks = new();
 
     /// <summary>Number of animations in the list.</summary>
     public int Count { get; private set; }
@@ -47,7 +46,7 @@ internal sealed class MotionSequence
     public int LinkCount => Math.Max(firstCyclic, 0);
 
     /// <summary>What was passed and not yet done, the oldest first.</summary>
-    public RingQueue<MotionHook> Hooks => hooks;
+    public RingQueue<MotionHook> Hooks { get; } = new();
 
     /// <summary>Where the animation playing has the parts now; empty without one.</summary>
     /// <remarks>Retail: CSequence::get_curr_animframe.</remarks>
@@ -216,7 +215,7 @@ internal sealed class MotionSequence
             }
 
             if (!advance) return;
-            if (firstCyclic != 0) hooks.Enqueue(new MotionHook(MotionHookKind.AnimationDone, 0, 0, default));
+            if (firstCyclic != 0) Hooks.Enqueue(new MotionHook(MotionHookKind.AnimationDone, 0, 0, default));
             Advance(quantum, ref frame);
             quantum = timeLeft;
         }
@@ -258,7 +257,7 @@ internal sealed class MotionSequence
     {
         foreach (ref readonly MotionHook hook in animation.Hooks)
         {
-            if (hook.Frame == index && (hook.Direction == 0 || hook.Direction == direction)) hooks.Enqueue(hook);
+            if (hook.Frame == index && (hook.Direction == 0 || hook.Direction == direction)) Hooks.Enqueue(hook);
         }
     }
 

@@ -154,29 +154,20 @@ internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters co
             seat.Page.Send(ServerFrames.Pose(pose, step, seat.Sequence, seats.Count));
             if (seats.Count > 1 || seat.HadCompany) seat.Page.Send(ServerFrames.Others(now, seat.Id, poses));
             seat.HadCompany = seats.Count > 1;
-            TellOfBodies(seat, now);
-            TellOfTouches(seat);
+            world.Look(seat.Player, bodies);
+            if (IsNews(seat.Bodies, bodies)) seat.Page.Send(ServerFrames.Bodies(now, bodies));
+            if (IsNews(seat.Touches, seat.Player.Touches)) seat.Page.Send(ServerFrames.Touches(seat.Player.Touches));
         }
     }
 
-    private void TellOfBodies(Seat seat, double now)
+    /// <summary>Is a list to be told: because it changed, or because it is time to say it again? Remembers it as told.</summary>
+    private bool IsNews<T>(List<T> told, IReadOnlyList<T> list)
     {
-        world.Look(seat.Player, bodies);
-        bool repeat = step % WireLimits.RepeatEvery == 0 && bodies.Count > 0;
-        if (!repeat && seat.Bodies.SequenceEqual(bodies)) return;
-        seat.Bodies.Clear();
-        seat.Bodies.AddRange(bodies);
-        seat.Page.Send(ServerFrames.Bodies(now, bodies));
-    }
-
-    private void TellOfTouches(Seat seat)
-    {
-        IReadOnlyList<Touch> touches = seat.Player.Touches;
-        bool repeat = step % WireLimits.RepeatEvery == 0 && touches.Count > 0;
-        if (!repeat && seat.Touches.SequenceEqual(touches)) return;
-        seat.Touches.Clear();
-        seat.Touches.AddRange(touches);
-        seat.Page.Send(ServerFrames.Touches(touches));
+        bool repeat = step % WireLimits.RepeatEvery == 0 && list.Count > 0;
+        if (!repeat && told.SequenceEqual(list)) return false;
+        told.Clear();
+        told.AddRange(list);
+        return true;
     }
 
     [LoggerMessage(Level = LogLevel.Error, Message = "Player {Player} was removed because the world refused it")]

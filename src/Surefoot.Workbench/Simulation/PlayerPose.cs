@@ -1,4 +1,5 @@
 using System.Numerics;
+using Surefoot.Physics.World;
 
 namespace Surefoot.Workbench.Simulation;
 
@@ -66,7 +67,11 @@ internal readonly record struct PlayerPose(
     float ForwardSpeed,
     float SidestepSpeed,
     float TurnSpeed,
-    byte Teleports);
+    byte Teleports)
+{
+    /// <summary>The heading of a position as the page takes it: radians counter-clockwise from north.</summary>
+    public static float YawOf(in Position position) => (float)(-position.Frame.Heading * Math.PI / 180.0);
+}
 
 /// <summary>What can happen to a player between two poses.</summary>
 internal enum PlayerEventKind : byte

@@ -65,15 +65,7 @@ internal static class ShapeCollector
         if (item.Setup is not { } setup) return;
         if (setup.HasPhysicsBsp)
         {
-            ReadOnlySpan<Frame> pose = setup.Placement(0);
-            for (int i = 0; i < Math.Min(setup.Parts.Length, pose.Length); i++)
-            {
-                SetupPart part = setup.Parts[i];
-                if (part.Mesh.Physics is not { } tree) continue;
-                Frame frame = SetupAsset.PlacePart(item.Position, pose[i], item.Scale).Frame;
-                AddPolygons(to, tree.Polygons, frame, part.DefaultScale.Z * item.Scale);
-            }
-
+            foreach ((PolygonSet polygons, Frame frame, float scale) in SolidParts.Of(item)) AddPolygons(to, polygons, frame, scale);
             return;
         }
 

@@ -139,7 +139,7 @@ internal sealed class SimulatedPlayer : IWorkbenchPlayer, IMovementSink
             time,
             position.CellId,
             position.Frame.Origin,
-            (float)(-position.Frame.Heading * Math.PI / 180.0),
+            PlayerPose.YawOf(position),
             body.IsActive ? body.AchievedVelocity : Vector3.Zero,
             speed.At(time, position),
             flags,

@@ -122,7 +122,7 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
             if ((one.Body.Transient & TransientState.CheckEthereal) != 0) flags |= BodyFlags.WaitsToClose;
             if (one.Kind != BodyKind.Door && !one.Body.HasContact) flags |= BodyFlags.Airborne;
             near.Add(new BodyPose(
-                one.Body.Id, one.Kind, flags, one.Name, place.CellId, place.Frame.Origin, (float)(-place.Frame.Heading * Math.PI / 180.0),
+                one.Body.Id, one.Kind, flags, one.Name, place.CellId, place.Frame.Origin, PlayerPose.YawOf(place),
                 one.Body.IsActive ? one.Body.AchievedVelocity : Vector3.Zero, one.Body.Scale, one.Size));
         }
     }

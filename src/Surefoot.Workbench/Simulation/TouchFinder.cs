@@ -100,13 +100,11 @@ internal sealed class TouchFinder(Func<WorldObject, (TouchKind Kind, string Name
         Vector3 offset = CellIds.BlockOffset(cellId, place.CellId);
         if (setup.HasPhysicsBsp)
         {
-            ReadOnlySpan<Frame> pose = setup.Placement(0);
-            for (int i = 0; i < Math.Min(setup.Parts.Length, pose.Length); i++)
+            foreach ((PolygonSet polygons, Frame own, float scale) in SolidParts.Of(item))
             {
-                if (setup.Parts[i].Mesh.Physics is not { } tree) continue;
-                Frame frame = SetupAsset.PlacePart(place, pose[i], item.Scale).Frame;
+                Frame frame = own;
                 frame.Origin += offset;
-                LookAtPolygons(tree.Polygons, frame, setup.Parts[i].DefaultScale.Z * item.Scale, thing);
+                LookAtPolygons(polygons, frame, scale, thing);
             }
 
             return;

@@ -194,11 +194,9 @@ internal sealed class Journey
         foreach (DemoSpawn spawn in DemoSpawns.All)
         {
             id++;
-            Position place = new(spawn.CellId, new Frame(spawn.Origin, spawn.Orientation));
+            Position place = DemoFiles.PlaceOf(spawn);
             if (start.DistanceTo(place) > Company) continue;
-            WeenieTraits weenie = spawn.Kind == DemoSpawnKind.Door ? WeenieTraits.Present : WeenieTraits.Present | WeenieTraits.Creature;
-            PhysicsState state = spawn.Kind == DemoSpawnKind.Door ? PhysicsState.ReportCollisions : PhysicsState.Default;
-            PhysicsBody body = engine.CreateBody(id, files.Cache.GetSetup(spawn.SetupId), state, weenie);
+            PhysicsBody body = files.CreateBody(engine, id, spawn);
             if (!body.EnterWorld(place, slide: false)) engine.RemoveBody(body);
         }
     }

@@ -92,11 +92,7 @@ public class CollisionReportTests
     [Fact, Behaviour("body.reports.object-once-a-second", "spec/02, 4.15")]
     public void An_object_is_reported_once_and_its_end_a_second_after_the_last_touch()
     {
-        (BodyFixture f, Witness witness) = Witnessed();
-        PhysicsBody other = f.Engine.CreateBody(2, null, PhysicsState.Default, Creature);
-        f.Seat(new(12, 12, 0), Vector3.Zero, BodyFixture.Standing);
-        CollisionInfo touch = Touching(false);
-        touch.AddObject(other, TransitionState.Collided);
+        (BodyFixture f, Witness witness, CollisionInfo touch) = TouchingAnother();
         f.Body.HandleAllCollisions(touch, hadContact: true, hadWalkable: true, simulatedTime: 1);
         f.Body.HandleAllCollisions(touch, hadContact: true, hadWalkable: true, simulatedTime: 1.5);
         Assert.Equal([2u], witness.Objects);
@@ -109,11 +105,7 @@ public class CollisionReportTests
     [Fact, Behaviour("body.hidden.reports-nothing", "spec/02, 4.18 set_hidden")]
     public void A_body_that_is_hidden_ends_its_touches_and_one_that_is_shown_reports_again()
     {
-        (BodyFixture f, Witness witness) = Witnessed();
-        PhysicsBody other = f.Engine.CreateBody(2, null, PhysicsState.Default, Creature);
-        f.Seat(new(12, 12, 0), Vector3.Zero, BodyFixture.Standing);
-        CollisionInfo touch = Touching(false);
-        touch.AddObject(other, TransitionState.Collided);
+        (BodyFixture f, Witness witness, CollisionInfo touch) = TouchingAnother();
         f.Body.HandleAllCollisions(touch, hadContact: true, hadWalkable: true, simulatedTime: 1);
         f.Body.SetState(f.Body.State | PhysicsState.Hidden);
         Assert.Equal([2u], witness.Ends);
@@ -229,6 +221,17 @@ public class CollisionReportTests
         Witness witness = new();
         f.Body.Listener = witness;
         return (f, witness);
+    }
+
+    /// <summary>One who stands, and what it collides with: a creature with id 2.</summary>
+    private static (BodyFixture Fixture, Witness Witness, CollisionInfo Touch) TouchingAnother()
+    {
+        (BodyFixture f, Witness witness) = Witnessed();
+        PhysicsBody other = f.Engine.CreateBody(2, null, PhysicsState.Default, Creature);
+        f.Seat(new(12, 12, 0), Vector3.Zero, BodyFixture.Standing);
+        CollisionInfo touch = Touching(false);
+        touch.AddObject(other, TransitionState.Collided);
+        return (f, witness, touch);
     }
 
     private static CollisionInfo Touching(bool environment) => new() { CollidedWithEnvironment = environment };

@@ -1,6 +1,7 @@
 // A creature on four legs that fills its collision shape. Its legs go as fast as it does.
 
 import * as THREE from "three";
+import { disposeMeshes, matte } from "./meshes";
 import { disposeNameTag, makeNameTag } from "./nameTag";
 import type { Drawn } from "./timeline";
 import type { Vec3 } from "./wire";
@@ -94,23 +95,10 @@ export class Beast {
     this.tail.rotation.z = Math.sin(seconds * 1.8) * 0.3;
   }
 
-  /** How far its legs have gone, radians; for tests. */
-  get stride(): number {
-    return this.phase;
-  }
-
   dispose(): void {
     disposeNameTag(this.tag);
-    this.group.traverse((one) => {
-      if (!(one instanceof THREE.Mesh)) return;
-      one.geometry.dispose();
-      (one.material as THREE.Material).dispose();
-    });
+    disposeMeshes(this.group);
   }
-}
-
-function matte(color: number): THREE.MeshLambertMaterial {
-  return new THREE.MeshLambertMaterial({ color });
 }
 
 function lump(width: number, length: number, height: number, material: THREE.Material, x: number, y: number, z: number): THREE.Mesh {

@@ -1,6 +1,7 @@
 // A door: a panel of the size of its collision shape, hung at its left edge. Open, it stands aside, where it stops nobody.
 
 import * as THREE from "three";
+import { disposeMeshes, matte } from "./meshes";
 import type { Drawn } from "./timeline";
 import type { Vec3 } from "./wire";
 
@@ -13,9 +14,9 @@ export class Door {
 
   /** @param size of its collision shape, metres */
   constructor(size: Vec3) {
-    const wood = new THREE.MeshLambertMaterial({ color: 0x7a5230 });
-    const dark = new THREE.MeshLambertMaterial({ color: 0x54371f });
-    const iron = new THREE.MeshLambertMaterial({ color: 0x33363a });
+    const wood = matte(0x7a5230);
+    const dark = matte(0x54371f);
+    const iron = matte(0x33363a);
     const put = (width: number, depth: number, height: number, material: THREE.Material, x: number, z: number): void => {
       const box = new THREE.Mesh(new THREE.BoxGeometry(width, depth, height), material);
       box.position.set(x, 0, z);
@@ -52,10 +53,6 @@ export class Door {
   }
 
   dispose(): void {
-    this.group.traverse((one) => {
-      if (!(one instanceof THREE.Mesh)) return;
-      one.geometry.dispose();
-      (one.material as THREE.Material).dispose();
-    });
+    disposeMeshes(this.group);
   }
 }

@@ -1,6 +1,7 @@
 // A jointed humanoid, 1.83 m tall, feet at its origin, facing north (+y). It is moved by what the player does; it decides nothing.
 
 import * as THREE from "three";
+import { disposeMeshes, matte } from "./meshes";
 import { disposeNameTag, makeNameTag } from "./nameTag";
 import type { Drawn } from "./timeline";
 
@@ -118,11 +119,7 @@ export class Figure {
 
   dispose(): void {
     if (this.tag) disposeNameTag(this.tag);
-    this.group.traverse((one) => {
-      if (!(one instanceof THREE.Mesh)) return;
-      one.geometry.dispose();
-      (one.material as THREE.Material).dispose();
-    });
+    disposeMeshes(this.group);
   }
 
   private pose(seconds: number): void {
@@ -196,10 +193,6 @@ export class Figure {
     to.add(root);
     return { root, joint };
   }
-}
-
-function matte(color: THREE.ColorRepresentation): THREE.MeshLambertMaterial {
-  return new THREE.MeshLambertMaterial({ color });
 }
 
 function part(geometry: THREE.BufferGeometry, material: THREE.Material, x: number, y: number, z: number): THREE.Mesh {

@@ -20,8 +20,8 @@ interface Block {
   rocks: THREE.Group;
   plants: PlantGroups;
   shells: { low: THREE.Box3; world: Box }[];
-  /** Lowest and highest z of each room, by cell. */
-  rooms: Map<number, { floor: number; top: number }>;
+  /** Highest z of each room, by cell. */
+  roomTops: Map<number, number>;
 }
 
 export class Objects {
@@ -112,7 +112,7 @@ export class Objects {
   /** The top of a room, metres; null when the room has not come. */
   topOf(cell: number): number | null {
     const block = this.blocks.get(cell >>> 16);
-    return typeof block === "object" ? (block.rooms.get(cell)?.top ?? null) : null;
+    return typeof block === "object" ? (block.roomTops.get(cell) ?? null) : null;
   }
 
   private *loaded(): Iterable<Block> {
@@ -161,7 +161,7 @@ export class Objects {
 
   private add(id: number, shapes: Shapes): void {
     const plants = { near: new THREE.Group(), far: new THREE.Group(), plain: new THREE.Group() };
-    const block: Block = { group: new THREE.Group(), rocks: new THREE.Group(), plants, shells: [], rooms: new Map() };
+    const block: Block = { group: new THREE.Group(), rocks: new THREE.Group(), plants, shells: [], roomTops: new Map() };
     const solid = (numbers: Float32Array, to: THREE.Group): void => {
       if (numbers.length > 0) to.add(...this.mesh(numbers, this.materials.objects, this.edges.thing));
     };
@@ -202,7 +202,7 @@ export class Objects {
     for (const room of rooms) {
       if (room.triangles.length === 0) continue;
       const box = boxOf(room);
-      block.rooms.set(room.id, { floor: box.min.z, top: box.max.z });
+      block.roomTops.set(room.id, box.max.z);
       const part = new THREE.BufferGeometry();
       part.setAttribute("position", new THREE.BufferAttribute(room.triangles, 3));
       const edges = new THREE.EdgesGeometry(part, sharpEdge).getAttribute("position").array;
