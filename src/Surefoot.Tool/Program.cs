@@ -34,7 +34,7 @@ internal static class Program
             await Console.Error.WriteLineAsync($"surefoot: {e.Message}").ConfigureAwait(false);
             return ExitCode.Usage;
         }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException or FormatException)
+        catch (Exception e) when (e is IOException or InvalidDataException or UnauthorizedAccessException or FormatException)
         {
             await Console.Error.WriteLineAsync($"surefoot: {e.Message}").ConfigureAwait(false);
             return ExitCode.Failed;

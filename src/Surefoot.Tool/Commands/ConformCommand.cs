@@ -32,6 +32,7 @@ internal static class ConformCommand
             List<string> oracles = [];
             foreach (FileInfo file in parsed.GetRequiredValue(vectors))
             {
+                if (OracleReplay.IsDepartureList(file.FullName)) continue;
                 if (OracleReplay.Reads(file.FullName)) oracles.Add(file.FullName);
                 else cases.AddRange(WalkCase.ReadAll(file.FullName));
             }
@@ -39,7 +40,8 @@ internal static class ConformCommand
             if (parsed.GetValue(scene) is { } prefix) cases.RemoveAll(c => !c.Scene.StartsWith(prefix, StringComparison.OrdinalIgnoreCase));
             using WalkScene world = WalkScene.OpenWhole(parsed.GetRequiredValue(dats)!);
             ConformanceReport report = Replay(world, cases, parsed.GetValue(json));
-            foreach (string path in oracles) ReplayOracle(world, path, report);
+            OracleReplay oracle = new(world.World, world.Cache.GetSetup);
+            foreach (string path in oracles) oracle.Score(path, report);
             if (parsed.GetValue(json)) Console.Out.WriteLine(JsonSerializer.Serialize(report.ToJson(), Json));
             else Print(report, parsed.GetRequiredValue(worst));
             return ExitCode.Done;
@@ -60,13 +62,6 @@ internal static class ConformCommand
             }
         });
         return report;
-    }
-
-    private static void ReplayOracle(WalkScene world, string path, ConformanceReport report)
-    {
-        HashSet<string> departures = OracleReplay.DeparturesBeside(path);
-        foreach (OracleReplay.Result result in new OracleReplay(world.World, world.Cache.GetSetup).Run(path))
-            report.Add(result, departures.Contains(result.Step < 0 ? result.Id : $"{result.Id}/{result.Step}"));
     }
 
     private static void Print(ConformanceReport report, int worst)

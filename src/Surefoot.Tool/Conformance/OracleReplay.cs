@@ -1,5 +1,4 @@
 using System.Globalization;
-using System.IO.Compression;
 using System.Numerics;
 using System.Text.Json;
 using Surefoot.Physics;
@@ -48,6 +47,16 @@ internal sealed class OracleReplay(ICellWorld world, Func<uint, SetupAsset> setu
 
     /// <summary>Is the file one of a peer as it is? Its cases name their family.</summary>
     internal static bool Reads(string path) => ReadLines(path).Take(1).Any(first => first.TryGetProperty("family", out _));
+
+    /// <summary>Is the file a list of departures? It is read beside the cases it belongs to.</summary>
+    internal static bool IsDepartureList(string path) => ReadLines(path).Take(1).Any(first => first.TryGetProperty("differs", out _));
+
+    /// <summary>Replays every case of a file and counts those apart that known departures change.</summary>
+    internal void Score(string path, ConformanceReport report)
+    {
+        HashSet<string> departures = DeparturesBeside(path);
+        foreach (Result result in Run(path)) report.Add(result, departures.Contains(result.Step < 0 ? result.Id : $"{result.Id}/{result.Step}"));
+    }
 
     /// <summary>The list beside a file of cases: <c>departures-201.jsonl.gz</c> for <c>walk-201.jsonl.gz</c>; empty without one.</summary>
     internal static HashSet<string> DeparturesBeside(string path)
@@ -183,17 +192,7 @@ internal sealed class OracleReplay(ICellWorld world, Func<uint, SetupAsset> setu
         return new Position(Hex(state.GetProperty("cell")), new Frame(Vector(state.GetProperty("pos")), facing));
     }
 
-    private static IEnumerable<JsonElement> ReadLines(string path)
-    {
-        using FileStream file = File.OpenRead(path);
-        using Stream stream = path.EndsWith(".gz", StringComparison.OrdinalIgnoreCase) ? new GZipStream(file, CompressionMode.Decompress) : file;
-        using StreamReader reader = new(stream);
-        while (reader.ReadLine() is { } line)
-        {
-            using JsonDocument document = JsonDocument.Parse(line);
-            yield return document.RootElement;
-        }
-    }
+    private static IEnumerable<JsonElement> ReadLines(string path) => VectorFile.Read(path, static line => JsonElement.Parse(line));
 
     private static Vector3 Vector(JsonElement v) => new(v[0].GetSingle(), v[1].GetSingle(), v[2].GetSingle());
 

@@ -1,5 +1,4 @@
 using System.Globalization;
-using System.IO.Compression;
 using System.Text.Json;
 using System.Text.Json.Serialization;
 
@@ -19,29 +18,12 @@ internal sealed record WalkCase(
 {
     /// <summary>Reads the cases of a file, one JSON object a line, gzipped or not.</summary>
     /// <exception cref="InvalidDataException">A line is not a case; the message names file and line.</exception>
-    internal static IEnumerable<WalkCase> ReadAll(string path)
-    {
-        using FileStream file = File.OpenRead(path);
-        using Stream stream = path.EndsWith(".gz", StringComparison.OrdinalIgnoreCase) ? new GZipStream(file, CompressionMode.Decompress) : file;
-        using StreamReader reader = new(stream);
-        int number = 0;
-        while (reader.ReadLine() is { } line)
-        {
-            number++;
-            if (line.Length == 0) continue;
-            WalkCase? walk;
-            try
-            {
-                walk = JsonSerializer.Deserialize(line, WalkJson.Default.WalkCase);
-            }
-            catch (JsonException e)
-            {
-                throw new InvalidDataException($"{path}, line {number}: {e.Message}", e);
-            }
+    internal static IEnumerable<WalkCase> ReadAll(string path) => VectorFile.Read(path, Parse);
 
-            if (walk?.Place is null || walk.Setup is null || walk.Placed is null) throw new InvalidDataException($"{path}, line {number}: not a recorded walk.");
-            yield return walk;
-        }
+    private static WalkCase Parse(string line)
+    {
+        WalkCase? walk = JsonSerializer.Deserialize(line, WalkJson.Default.WalkCase);
+        return walk is { Place: not null, Setup: not null, Placed: not null } ? walk : throw new InvalidDataException("not a recorded walk.");
     }
 
     internal static uint ParseId(string hex) => uint.Parse(hex, NumberStyles.HexNumber, CultureInfo.InvariantCulture);
