@@ -19,7 +19,7 @@ public sealed class HostileBodiesTests
     private static readonly SetupAsset Walker = StubWorld.Setup(new Sphere(new Vector3(0, 0, 0.48f), 0.48f), new Sphere(new Vector3(0, 0, 1.35f), 0.48f));
 
     [Theory]
-    [Behaviour("world.hostile.scenery-scale", "issue, bad input: scale 0 or NaN; spec/05, 4.8")]
+    [Behaviour("world.hostile.scenery-scale", "design.md, decision 7; spec/05, 4.8")]
     [InlineData(0, 0)]
     [InlineData(-1, -1)]
     [InlineData(float.NaN, 1)]
@@ -45,7 +45,7 @@ public sealed class HostileBodiesTests
     }
 
     [Theory]
-    [Behaviour("world.hostile.body-scale", "design, decision 7; issue, bad input: scale 0 or NaN")]
+    [Behaviour("world.hostile.body-scale", "design.md, decision 7")]
     [InlineData(0)]
     [InlineData(-1)]
     [InlineData(float.NaN)]
@@ -59,7 +59,7 @@ public sealed class HostileBodiesTests
     }
 
     [Fact]
-    [Behaviour("world.hostile.setup-without-parts", "issue, bad input; spec/06, 2; spec/02, 4.4 step 5: without spheres a body stays where it is")]
+    [Behaviour("world.hostile.setup-without-parts", "design.md, decision 7; spec/06, 2; spec/02, 4.4 step 5: without spheres a body stays where it is")]
     public void A_setup_without_parts_stops_nobody_and_a_body_of_it_stays_where_it_was_put()
     {
         PhysicsWorld world = new Records
@@ -86,7 +86,7 @@ public sealed class HostileBodiesTests
     }
 
     [Theory]
-    [Behaviour("world.hostile.deep-tree-walked", "issue, bad input: a tree of 10,000 nodes in a line")]
+    [Behaviour("world.hostile.deep-tree-walked", "design.md, decision 7")]
     [InlineData(false, false)]
     [InlineData(true, true)]
     public void A_body_walks_against_a_mesh_of_ten_thousand_nodes_in_a_line(bool downFront, bool polygonsBeside)
@@ -106,7 +106,7 @@ public sealed class HostileBodiesTests
     }
 
     [Fact]
-    [Behaviour("world.hostile.crowded-cell-walked", "issue, bad input: 10,000 objects in one cell; spec/05, 4.17")]
+    [Behaviour("world.hostile.crowded-cell-walked", "design.md, decision 7; spec/05, 4.17")]
     public void A_body_is_stopped_among_ten_thousand_objects_of_one_cell()
     {
         PhysicsWorld world = new Records
@@ -124,7 +124,7 @@ public sealed class HostileBodiesTests
     }
 
     [Fact]
-    [Behaviour("world.hostile.crowded-cell-of-bodies", "issue, bad input: 10,000 objects in one cell; spec/05, 4.17")]
+    [Behaviour("world.hostile.crowded-cell-of-bodies", "design.md, decision 7; spec/05, 4.17")]
     public void Ten_thousand_bodies_live_in_one_cell_and_none_is_left_behind()
     {
         PhysicsWorld world = new Records().World();
@@ -152,7 +152,7 @@ public sealed class HostileBodiesTests
     }
 
     [Fact]
-    [Behaviour("world.hostile.portal-to-nowhere", "issue, bad input; spec/05, 4.14, 4.19; spec/03, 4.6 check_other_cells step 4")]
+    [Behaviour("world.hostile.portal-to-nowhere", "design.md, decision 7; spec/05, 4.14, 4.19; spec/03, 4.6 check_other_cells step 4")]
     public void Whoever_goes_through_a_portal_to_a_room_that_does_not_exist_waits_there_and_can_be_fetched()
     {
         (PhysicsWorld world, uint hall, Vector3 middle) = RoomTests.HallWithADoorToNowhere();
