@@ -28,7 +28,7 @@ public sealed class DeterminismProperties(DemoFiles files) : IClassFixture<DemoF
             iter: Fuzz.Cases(1500));
 
     [Fact]
-    [Behaviour("properties.loading-order-same-bits", "issue, properties; spec/05, 4.7, 4.11, 4.17")]
+    [Behaviour("properties.loading-order-same-bits", "design.md, decision 1; spec/05, 4.7, 4.11, 4.17")]
     public void The_order_in_which_landblocks_were_loaded_changes_no_bit() =>
         Gen.Select(Trip.From([.. Enumerable.Range(0, DemoPlaces.All.Length)], 6), Gen.Shuffle(Enumerable.Range(0, 9).ToArray())).Sample(
             (trip, order) =>

@@ -13,7 +13,7 @@ public sealed class MovementProperties(DemoFiles files) : IClassFixture<DemoFile
     private readonly Grounds grounds = new(files);
 
     [Fact]
-    [Behaviour("properties.ends-outside-every-solid", "issue, properties; spec/03, 4.8.3 and 4.9: the placement insert")]
+    [Behaviour("properties.ends-outside-every-solid", "design.md, decision 1; spec/03, 4.8.3 and 4.9: the placement insert")]
     public void Any_way_from_a_free_place_ends_outside_every_solid_by_retails_own_test()
     {
         Trip.Any.Sample(
@@ -35,7 +35,7 @@ public sealed class MovementProperties(DemoFiles files) : IClassFixture<DemoFile
     }
 
     [Fact]
-    [Behaviour("properties.one-sweep-ends-outside-every-solid", "issue, properties; spec/03, 4.6 and 4.9")]
+    [Behaviour("properties.one-sweep-ends-outside-every-solid", "design.md, decision 1; spec/03, 4.6 and 4.9")]
     public void One_sweep_of_any_length_ends_outside_every_solid()
     {
         Gen.Select(Trip.Any, Trip.Ways.Array[1, 8]).Sample(
@@ -57,7 +57,7 @@ public sealed class MovementProperties(DemoFiles files) : IClassFixture<DemoFile
     }
 
     [Fact]
-    [Behaviour("properties.always-finite", "issue, properties: no NaN")]
+    [Behaviour("properties.always-finite", "design.md, decision 7")]
     public void Nothing_ever_becomes_infinite_or_no_number()
     {
         Trip.Any.Sample(
@@ -79,7 +79,7 @@ public sealed class MovementProperties(DemoFiles files) : IClassFixture<DemoFile
     }
 
     [Fact]
-    [Behaviour("properties.no-further-than-asked", "issue, properties; spec/03, 4.4, 4.6, 4.7; spec/04, 4.4, 4.13")]
+    [Behaviour("properties.no-further-than-asked", "design.md, decision 1; spec/03, 4.4, 4.6, 4.7; spec/04, 4.4, 4.13")]
     public void A_step_leads_no_further_than_asked_plus_the_step_heights()
     {
         Trip.Any.Sample(

@@ -41,7 +41,7 @@ public sealed class ShadowProperties(DemoFiles files) : IClassFixture<DemoFiles>
     }
 
     [Fact]
-    [Behaviour("properties.shadows-as-if-afresh", "issue, properties; spec/05, 4.17; @0x00514AE0, @0x00511230")]
+    [Behaviour("properties.shadows-as-if-afresh", "design.md, decision 1; spec/05, 4.17; @0x00514AE0, @0x00511230")]
     public void Shadows_after_any_history_are_those_of_a_fresh_world()
     {
         Gen<Deed> deed = Gen.Select(
