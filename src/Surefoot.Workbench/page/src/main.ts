@@ -1,20 +1,20 @@
 // Puts the parts together and draws a frame whenever the screen is ready.
 
 import * as THREE from "three";
-import "./style.css";
-import { Bodies } from "./bodies";
-import { Connection } from "./connection";
-import { Cutaway } from "./cutaway";
-import { Figure } from "./figure";
-import { Hud, type Place } from "./hud";
-import { Keyboard } from "./keys";
-import { Objects } from "./objects";
-import { Stage } from "./stage";
-import { Terrain } from "./terrain";
-import { horizonColor, sunDirection, zenithColor } from "./sky";
-import { PoseTimeline, ServerClock, type Drawn } from "./timeline";
-import { PoseFlag, type BodyPose, type Others, type OwnPose, type PlayerEvent, type ServerFrame, type Touch, type Welcome } from "./wire";
-import { blockOf, blockSide } from "./world";
+import "./hud/style.css";
+import { Bodies } from "./things/bodies";
+import { Connection } from "./net/connection";
+import { Cutaway } from "./scene/cutaway";
+import { Figure } from "./things/figure";
+import { Hud, type Place } from "./hud/hud";
+import { Keyboard } from "./hud/keys";
+import { Objects } from "./things/objects";
+import { Stage } from "./scene/stage";
+import { Terrain } from "./scene/terrain";
+import { horizonColor, sunDirection, zenithColor } from "./scene/sky";
+import { PoseTimeline, ServerClock, type Drawn } from "./net/timeline";
+import { PoseFlag, type BodyPose, type Others, type OwnPose, type PlayerEvent, type ServerFrame, type Touch, type Welcome } from "./net/wire";
+import { blockOf, blockSide } from "./net/world";
 
 const rebaseDistance = 4000;
 

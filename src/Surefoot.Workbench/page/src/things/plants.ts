@@ -2,8 +2,8 @@
 
 import * as THREE from "three";
 import { mergeGeometries } from "three/addons/utils/BufferGeometryUtils.js";
-import type { Cutaway } from "./cutaway";
-import type { Plant } from "./shapes";
+import type { Cutaway } from "../scene/cutaway";
+import type { Plant } from "../net/shapes";
 
 /** Kinds of plants: the cylinder (or sphere) that each is made for, metres, and its look. */
 interface Kind {

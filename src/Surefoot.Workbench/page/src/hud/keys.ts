@@ -1,6 +1,6 @@
 // Keyboard → the bits of an input frame.
 
-import { Key } from "./wire";
+import { Key } from "../net/wire";
 
 const moves: Record<string, number> = {
   KeyW: Key.Forward,

@@ -1,9 +1,9 @@
 // Everything on the page that is not the world: panel, sliders, bar, menu, help, messages.
 
 import { describeFooting, describeTouches } from "./touches";
-import { EventKind, PoseFlag, type OwnPose, type PlayerEvent, type Touch, type Welcome } from "./wire";
-import { formatCell } from "./world";
-import type { ConnectionState } from "./connection";
+import { EventKind, PoseFlag, type OwnPose, type PlayerEvent, type Touch, type Welcome } from "../net/wire";
+import { formatCell } from "../net/world";
+import type { ConnectionState } from "../net/connection";
 
 export interface Place {
   name: string;

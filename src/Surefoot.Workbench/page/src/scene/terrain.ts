@@ -2,7 +2,7 @@
 
 import * as THREE from "three";
 import type { Cutaway } from "./cutaway";
-import { blockSide, cellSide, decodeTerrain, heightInBlock, type TerrainBlock } from "./world";
+import { blockSide, cellSide, decodeTerrain, heightInBlock, type TerrainBlock } from "../net/world";
 import { isGrassy, isRoad, isWater, terrainColors, terrainType } from "./terrainTypes";
 import { makeTerrainMaterial, type TerrainUniforms } from "./terrainMaterial";
 

@@ -3,7 +3,7 @@
 import * as THREE from "three";
 import { disposeMeshes, matte } from "./meshes";
 import { disposeNameTag, makeNameTag } from "./nameTag";
-import type { Drawn } from "./timeline";
+import type { Drawn } from "../net/timeline";
 
 const hipHeight = 0.93;
 const thigh = 0.45;

@@ -2,8 +2,8 @@
 
 import * as THREE from "three";
 import { disposeMeshes, matte } from "./meshes";
-import type { Drawn } from "./timeline";
-import type { Vec3 } from "./wire";
+import type { Drawn } from "../net/timeline";
+import type { Vec3 } from "../net/wire";
 
 const openAngle = 1.75;
 

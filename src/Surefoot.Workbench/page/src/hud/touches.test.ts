@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { describeFooting, describeTouches } from "./touches";
-import type { Touch } from "./wire";
+import type { Touch } from "../net/wire";
 
 const touch = (more: Partial<Touch>): Touch => ({ footing: false, type: 3, id: 0xa8b50100, normal: { x: 0, y: 0, z: 1 }, name: "", ...more });
 

@@ -5,9 +5,9 @@ import { Beast } from "./beast";
 import { Crowd } from "./crowd";
 import { Door } from "./door";
 import { Figure } from "./figure";
-import { PoseTimeline, type Drawn } from "./timeline";
-import { BodyFlag, BodyType, PoseFlag, type Bodies as BodiesFrame, type BodyPose, type Vec3 } from "./wire";
-import { toGlobal } from "./world";
+import { PoseTimeline, type Drawn } from "../net/timeline";
+import { BodyFlag, BodyType, PoseFlag, type Bodies as BodiesFrame, type BodyPose, type Vec3 } from "../net/wire";
+import { toGlobal } from "../net/world";
 
 /** How far a player reaches for a door, metres; the server decides. */
 const reach = 4;

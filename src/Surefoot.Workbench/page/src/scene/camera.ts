@@ -1,7 +1,7 @@
 // Third-person camera: looks over the player's shoulder, turns with it, orbits while a mouse button drags, comes closer with the wheel.
 
 import * as THREE from "three";
-import { wrapAngle } from "./timeline";
+import { wrapAngle } from "../net/timeline";
 
 const eyeHeight = 1.45;
 const clearance = 0.45;

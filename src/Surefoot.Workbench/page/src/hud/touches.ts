@@ -1,7 +1,7 @@
 // What the player stands on and touches, in words.
 
-import type { Touch } from "./wire";
-import { formatCell } from "./world";
+import type { Touch } from "../net/wire";
+import { formatCell } from "../net/world";
 
 const names: Record<number, string> = { 1: "ground", 2: "building", 3: "room", 4: "scenery", 5: "object" };
 

@@ -1,10 +1,10 @@
 // Objects, buildings, rooms and scenery around the player: the shapes that bodies collide with, plants drawn as plants unless the plain shapes are asked for.
 
 import * as THREE from "three";
-import type { Box, Cutaway } from "./cutaway";
+import type { Box, Cutaway } from "../scene/cutaway";
 import { Plants, type PlantGroups } from "./plants";
-import { decodeShapes, type NamedShape, type Shapes } from "./shapes";
-import { blockSide } from "./world";
+import { decodeShapes, type NamedShape, type Shapes } from "../net/shapes";
+import { blockSide } from "../net/world";
 
 const drawRadius = 3;
 const keepRadius = 5;

@@ -3,8 +3,8 @@
 import * as THREE from "three";
 import { disposeMeshes, matte } from "./meshes";
 import { disposeNameTag, makeNameTag } from "./nameTag";
-import type { Drawn } from "./timeline";
-import type { Vec3 } from "./wire";
+import type { Drawn } from "../net/timeline";
+import type { Vec3 } from "../net/wire";
 
 /** Higher than this it is scaly and horned, metres. */
 const largeFrom = 1.5;
