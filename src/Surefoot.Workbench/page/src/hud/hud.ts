@@ -1,19 +1,10 @@
 // Everything on the page that is not the world: panel, sliders, bar, menu, help, messages.
 
 import { describeFooting, describeTouches } from "./touches";
-import { EventKind, PoseFlag, type OwnPose, type PlayerEvent, type Touch, type Welcome } from "../net/wire";
+import { EventKind, PoseFlag, type OwnPose, type PlayerEvent, type ServerFrame, type Touch, type Welcome } from "../net/wire";
 import { formatCell } from "../net/world";
+import type { Place } from "../net/places";
 import type { ConnectionState } from "../net/connection";
-
-export interface Place {
-  name: string;
-  cell: number;
-  x: number;
-  y: number;
-  z: number;
-  yaw: number;
-  hint: string | null;
-}
 
 interface Asks {
   settings(runSkill: number, jumpSkill: number, burden: number): void;
@@ -78,7 +69,29 @@ export class Hud {
     return this.bar.classList.contains("charging") ? Number(this.bar.getAttribute("aria-valuenow")) / 100 : 0;
   }
 
-  welcome(welcome: Welcome): void {
+  /** The places that the menu offers, by the index that the server knows them by. */
+  get listedPlaces(): readonly Place[] {
+    return this.listed;
+  }
+
+  receive(frame: ServerFrame): void {
+    switch (frame.kind) {
+      case "welcome":
+        this.welcome(frame);
+        break;
+      case "pose":
+        this.showPose(frame);
+        break;
+      case "touches":
+        this.showTouches(frame.touches);
+        break;
+      case "event":
+        this.showEvent(frame);
+        break;
+    }
+  }
+
+  private welcome(welcome: Welcome): void {
     this.capacity = Math.max(1, welcome.burdenCapacity);
     this.run.max = this.jump.max = String(welcome.maxSkill);
     this.burden.max = String(welcome.maxBurden);
@@ -105,7 +118,7 @@ export class Hud {
     this.cover.classList.add("away");
   }
 
-  showPose(pose: OwnPose): void {
+  private showPose(pose: OwnPose): void {
     const { position: p, planeNormal: n } = pose;
     const contact = (pose.flags & PoseFlag.Contact) !== 0;
     const walkable = (pose.flags & PoseFlag.OnWalkable) !== 0;
@@ -132,7 +145,7 @@ export class Hud {
     this.bar.lastElementChild!.textContent = `Jump ${percent} %`;
   }
 
-  showTouches(touches: readonly Touch[]): void {
+  private showTouches(touches: readonly Touch[]): void {
     this.set("footing", describeFooting(touches));
     this.set("touches", describeTouches(touches));
   }
@@ -148,7 +161,7 @@ export class Hud {
     this.set("fps", `${fps.toFixed(0)} /s`);
   }
 
-  showEvent(event: PlayerEvent): void {
+  private showEvent(event: PlayerEvent): void {
     switch (event.event) {
       case EventKind.Jumped:
         this.toast(`Jumped at ${Math.round(event.value * 100)} %`);

@@ -19,6 +19,11 @@ export function blockOf(cell: number): number {
   return cell >>> 16;
 }
 
+/** The cell is a room and no piece of land. */
+export function isIndoors(cell: number): boolean {
+  return (cell & 0xffff) >= 0x100;
+}
+
 export function toGlobal(cell: number, position: Vec3): Vec3 {
   return { x: (cell >>> 24) * blockSide + position.x, y: ((cell >>> 16) & 0xff) * blockSide + position.y, z: position.z };
 }

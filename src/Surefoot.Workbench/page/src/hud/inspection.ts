@@ -1,0 +1,131 @@
+// What the page shows, as `window.surefoot`: for tests, and for the curious at the browser's console.
+
+import type { Connection } from "../net/connection";
+import type { Place } from "../net/places";
+import type { Session } from "../net/session";
+import type { Drawn } from "../net/timeline";
+import type { BodyPose, OwnPose, PlayerEvent, Touch, Vec3 } from "../net/wire";
+import type { WorldView } from "../things/worldView";
+import type { Hud } from "./hud";
+
+/** What the page counts of its own drawing. */
+export interface Frames {
+  /** Frames drawn. */
+  count: number;
+  /** The moment drawn last, seconds of the server's clock. */
+  drawnAt: number;
+}
+
+export class Inspection {
+  constructor(
+    private readonly world: WorldView,
+    private readonly session: Session,
+    private readonly hud: Hud,
+    private readonly connection: Connection,
+    private readonly drawing: Readonly<Frames>,
+  ) {}
+
+  get ready(): boolean {
+    return this.world.drawn !== null && this.world.terrain.drawn > 0;
+  }
+
+  get player(): number | null {
+    return this.session.welcome?.player ?? null;
+  }
+
+  /** The player as drawn in the last frame: global metres, radians; `at` is the moment drawn, seconds of the server's clock. */
+  get drawn(): (Drawn & { at: number }) | null {
+    return this.world.drawn && { ...this.world.drawn, at: this.drawing.drawnAt };
+  }
+
+  get others(): { player: number; position: Vec3 | null }[] {
+    return [...this.world.players.others].map(([player, one]) => ({ player, position: one.drawn?.position ?? null }));
+  }
+
+  get pose(): OwnPose | null {
+    return this.session.pose;
+  }
+
+  get panel(): Record<string, string> {
+    return this.hud.panel;
+  }
+
+  get bar(): number {
+    return this.hud.barFilled;
+  }
+
+  get events(): PlayerEvent[] {
+    return [...this.session.events];
+  }
+
+  get places(): readonly Place[] {
+    return this.hud.listedPlaces;
+  }
+
+  get frames(): number {
+    return this.drawing.count;
+  }
+
+  get messages(): number {
+    return this.connection.frames;
+  }
+
+  get fps(): number {
+    return 1 / this.world.stage.frameTime;
+  }
+
+  get blocks(): number {
+    return this.world.terrain.drawn;
+  }
+
+  get shapes(): number {
+    return this.world.objects.triangles;
+  }
+
+  /** The bodies near by that are no players, as last told. */
+  get bodies(): BodyPose[] {
+    return this.world.bodies.poses;
+  }
+
+  get touches(): Touch[] {
+    return this.session.touches;
+  }
+
+  /** What is drawn: people of the crowd, plants, how far a door near by is swung open (0 to 1). */
+  get drawnThings(): { crowd: number; plants: number; door: number | null } {
+    return { crowd: this.world.bodies.crowdCount, plants: this.world.objects.plantCount, door: this.world.bodies.doorOpened };
+  }
+
+  /** What is cut away: 1 the shell around the player, 2 the building around the camera; floors from this height on. */
+  get cut(): { opens: number; ceiling: number } {
+    return { opens: this.world.cutaway.opens, ceiling: this.world.cutaway.ceiling };
+  }
+
+  /** Pixels, of a small picture of the view, in which the player is seen; with the cutaway, or as it would be without. */
+  seen(cut: boolean): number {
+    return this.session.pose ? this.world.pixelsOfPlayer(this.session.pose, cut) : 0;
+  }
+
+  get plainShapes(): boolean {
+    return this.world.showsShapes;
+  }
+
+  get triangles(): boolean {
+    return this.world.showsTriangles;
+  }
+
+  get camera(): { orbit: number; zoom: number; away: number } {
+    const { view } = this.world.stage;
+    return { orbit: view.orbitAngle, zoom: view.zoom, away: view.away };
+  }
+
+  sendRaw(bytes: number[]): void {
+    this.connection.sendRaw(new Uint8Array(bytes).buffer);
+  }
+}
+
+declare global {
+  interface Window {
+    surefoot: Inspection;
+  }
+}

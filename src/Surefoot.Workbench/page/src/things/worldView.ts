@@ -1,0 +1,143 @@
+// The world as drawn: land, objects, bodies and players around one origin, and the camera that follows one's own player through them.
+
+import * as THREE from "three";
+import type { Drawn } from "../net/timeline";
+import type { OwnPose, ServerFrame } from "../net/wire";
+import { blockOf, blockSide, isIndoors } from "../net/world";
+import { Cutaway } from "../scene/cutaway";
+import { horizonColor, sunDirection, zenithColor } from "../scene/sky";
+import { Stage } from "../scene/stage";
+import { Terrain } from "../scene/terrain";
+import { Bodies } from "./bodies";
+import { Objects } from "./objects";
+import { Players } from "./players";
+
+const rebaseDistance = 4000;
+
+export class WorldView {
+  readonly stage: Stage;
+  readonly cutaway = new Cutaway();
+  readonly terrain: Terrain;
+  readonly objects: Objects;
+  readonly bodies = new Bodies();
+  readonly players = new Players();
+  private readonly origin = new THREE.Vector3();
+  private drawnTeleports = -1;
+
+  constructor(canvas: HTMLCanvasElement) {
+    this.stage = new Stage(canvas);
+    this.terrain = new Terrain(this.stage.noise, sunDirection, horizonColor, zenithColor, this.cutaway);
+    this.objects = new Objects(this.cutaway);
+    this.stage.scene.add(this.terrain.group, this.objects.group, this.bodies.group, this.players.group);
+  }
+
+  /** One's own player as drawn in the last frame. */
+  get drawn(): Drawn | null {
+    return this.players.me?.drawn ?? null;
+  }
+
+  get showsTriangles(): boolean {
+    return this.terrain.uniforms.triangles.value > 0;
+  }
+
+  set showsTriangles(shown: boolean) {
+    this.terrain.uniforms.triangles.value = shown ? 1 : 0;
+  }
+
+  get showsShapes(): boolean {
+    return this.objects.showsPlain;
+  }
+
+  set showsShapes(shown: boolean) {
+    this.objects.showsPlain = this.bodies.showsPlain = shown;
+  }
+
+  receive(frame: ServerFrame): void {
+    switch (frame.kind) {
+      case "welcome":
+        this.bodies.clear();
+        this.players.enter(frame.player);
+        this.drawnTeleports = -1;
+        break;
+      case "pose":
+        this.players.receivePose(frame);
+        break;
+      case "others":
+        this.players.receiveOthers(frame);
+        break;
+      case "bodies":
+        this.bodies.receive(frame);
+        break;
+    }
+  }
+
+  /**
+   * Draws a moment.
+   * @param time the moment, seconds of the server's clock
+   * @param pose one's own player as last told; null before the first
+   * @param now seconds of this page's clock
+   * @param elapsed seconds since the last frame
+   */
+  draw(time: number, pose: OwnPose | null, now: number, elapsed: number): void {
+    const dt = Math.min(elapsed, 0.1);
+    if (pose) this.moveOrigin(blockOf(pose.cell));
+    this.players.update(time, this.origin, now, dt);
+    if (pose) this.follow(pose, now, dt);
+    this.bodies.update(time, this.origin, now, dt);
+    this.terrain.uniforms.time.value = now % 3600;
+    this.stage.sky.update(this.stage.view.camera.position, now % 3600);
+    this.stage.render(elapsed);
+  }
+
+  /** Pixels, of a small picture of the view, in which one's own player is seen; with the cutaway, or as it would be without. */
+  pixelsOfPlayer(pose: OwnPose, cut: boolean): number {
+    const figure = this.players.me?.figure;
+    if (!figure) return 0;
+    this.cutaway.enabled = cut;
+    this.cutWay(figure.group.position, pose.cell);
+    const pixels = this.stage.pixelsOf(figure.group);
+    this.cutaway.enabled = true;
+    return pixels;
+  }
+
+  private follow(pose: OwnPose, now: number, dt: number): void {
+    const { stage, terrain, origin } = this;
+    const me = this.players.me;
+    const block = blockOf(pose.cell);
+    if (terrain.update(block)) stage.grass.invalidate();
+    this.objects.update(block);
+    if (!me?.drawn) return;
+    if (me.drawn.teleports !== this.drawnTeleports) {
+      this.drawnTeleports = me.drawn.teleports;
+      stage.view.cut();
+      stage.grass.invalidate();
+    }
+    const indoors = isIndoors(pose.cell);
+    stage.showGrass(!indoors);
+    if (stage.grass.mesh.visible) stage.grass.update(me.drawn.position.x, me.drawn.position.y, origin, terrain, now % 3600);
+    const feet = me.figure.group.position;
+    stage.lights.follow(feet);
+    stage.view.update(feet, me.drawn.yaw, dt, indoors, (x, y) => terrain.heightAt(x + origin.x, y + origin.y));
+    this.cutWay(feet, pose.cell);
+  }
+
+  private cutWay(feet: THREE.Vector3, cell: number): void {
+    const indoors = isIndoors(cell);
+    const ground = this.terrain.heightAt(feet.x + this.origin.x, feet.y + this.origin.y);
+    const below = indoors && ground !== null && ground > feet.z + 0.5;
+    this.cutaway.update(this.stage.view.camera.position, feet, indoors, this.objects.topOf(cell), below, this.objects.shellsAround(blockOf(cell)));
+  }
+
+  /** Numbers on the graphics card are single: they are kept small by measuring from a landblock near the player. */
+  private moveOrigin(block: number): void {
+    const east = (block >> 8) * blockSide;
+    const north = (block & 0xff) * blockSide;
+    if (Math.hypot(east - this.origin.x, north - this.origin.y) <= rebaseDistance) return;
+    this.origin.set(east, north, 0);
+    this.terrain.setOrigin(block >> 8, block & 0xff);
+    this.objects.setOrigin(block >> 8, block & 0xff);
+    this.bodies.rebased();
+    this.stage.grass.invalidate();
+    this.stage.view.cut();
+  }
+}
