@@ -7,6 +7,9 @@ namespace Surefoot.Physics.World;
 /// <summary>What a transition asks of the world it moves through.</summary>
 public interface ICellWorld
 {
+    /// <summary>What the world does without because its record is missing or cannot be read.</summary>
+    LeftOutList LeftOut { get; }
+
     /// <summary>The loaded cell with this id, or null.</summary>
     ObjCell? GetVisible(uint cellId);
 

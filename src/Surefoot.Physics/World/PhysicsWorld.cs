@@ -22,6 +22,9 @@ public sealed partial class PhysicsWorld : ICellWorld
     /// <summary>Loaded blocks, ascending by id: column by column from the west, each from the south.</summary>
     public IReadOnlyCollection<Landblock> Landblocks => blocks.Values;
 
+    /// <inheritdoc/>
+    public LeftOutList LeftOut { get; } = new();
+
     /// <summary>Who may enter guarded cells; without it no player enters one.</summary>
     public IMoveRestrictions? Restrictions { get; set; }
 

@@ -22,6 +22,8 @@ internal sealed class StubWorld : ICellWorld
 
     internal StubCell Cell => cell;
 
+    public LeftOutList LeftOut { get; } = new();
+
     public ObjCell? GetVisible(uint cellId) => cellId == CellId ? cell : null;
 
     public void FindCellList(CellArray array, SpherePath path, bool wantHome, ref ObjCell? home)
