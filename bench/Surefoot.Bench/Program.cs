@@ -1,9 +1,25 @@
 using BenchmarkDotNet.Running;
+using Surefoot.Dats;
+using Surefoot.DemoWorld;
+using Surefoot.Scenes;
 
 namespace Surefoot.Bench;
 
-/// <summary>Runs benchmarks: <c>dotnet run -c Release --project bench/Surefoot.Bench -- --filter '*'</c>.</summary>
+/// <summary>
+/// Runs benchmarks: <c>dotnet run -c Release --project bench/Surefoot.Bench -- --filter '*'</c>; with <c>hashes</c> alone it prints only the state hash of each
+/// scene, in a second.
+/// </summary>
 internal static class Program
 {
-    private static void Main(string[] args) => BenchmarkSwitcher.FromAssembly(typeof(Program).Assembly).Run(args);
+    private static void Main(string[] args)
+    {
+        if (args is ["hashes"]) PrintHashes();
+        else BenchmarkSwitcher.FromAssembly(typeof(Program).Assembly).Run(args);
+    }
+
+    private static void PrintHashes()
+    {
+        using DatSet dats = DatSet.Open(DemoWorldCache.GetOrCreate());
+        foreach (Scene scene in Scene.All) Console.WriteLine($"{scene.Hash(dats):x16}  {scene.Name}");
+    }
 }

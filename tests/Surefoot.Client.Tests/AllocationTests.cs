@@ -44,7 +44,7 @@ public sealed class AllocationTests(DemoFiles files) : IClassFixture<DemoFiles>
     public void A_crowd_whose_members_run_into_each_other_allocate_nothing()
     {
         DemoWalk walk = new(files, "meadow", new CharacterStats(100, 100));
-        List<PhysicsBody> crowd = walk.SpawnRunners(40, spacing: 1.3f);
+        IReadOnlyList<PhysicsBody> crowd = walk.SpawnRunners(40, spacing: 1.3f);
         Assert.Equal(40, crowd.Count);
         // The lists of who is in a cell, and of who touches whom, first grow to their greatest length.
         for (int i = 0; i < 600; i++) walk.Tick();

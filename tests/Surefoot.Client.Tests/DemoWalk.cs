@@ -7,6 +7,7 @@ using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.World;
+using Surefoot.Scenes;
 
 namespace Surefoot.Client.Tests;
 
@@ -138,25 +139,12 @@ internal sealed class DemoWalk
         return spawned;
     }
 
-    /// <summary>Spawns humans around the player who run in circles, in rows of twenty.</summary>
-    internal List<PhysicsBody> SpawnRunners(int count, float spacing)
+    /// <summary>Spawns humans before the player who run in circles, in rows of twenty.</summary>
+    internal IReadOnlyList<PhysicsBody> SpawnRunners(int count, float spacing)
     {
-        List<PhysicsBody> runners = [];
-        for (int i = 0; i < count; i++)
-        {
-            PhysicsBody body = engine.CreateBody(0x80000001 + (uint)i, files.Cache.GetSetup(HumanSetup), weenie: WeenieTraits.Present | WeenieTraits.Creature);
-            MovementManager movement = new(body, files.Motions, new PlayerWeenie(new CharacterStats(100, 100)));
-            body.AttachMovement(movement);
-            Vector3 aside = new(spacing * ((i % 20) - 10), spacing * ((i / 20) + 2), 0);
-            Position position = new(Start.CellId, new Frame(Start.Frame.Origin + aside, Start.Frame.Rotation));
-            position.AdjustToOutside();
-            Assert.True(body.EnterWorld(position));
-            movement.DoMotion(MotionCommand.WalkForward, new MovementParameters());
-            movement.DoMotion(i % 2 == 0 ? MotionCommand.TurnRight : MotionCommand.TurnLeft, new MovementParameters());
-            runners.Add(body);
-        }
-
-        return runners;
+        Position south = Start;
+        south.Frame.Origin += new Vector3(0, 2 * spacing, 0);
+        return Runners.Spawn(engine, files.Cache.GetSetup(HumanSetup), files.Motions, south, count, spacing);
     }
 
     /// <summary>A frame of the world without any keys.</summary>
