@@ -19,6 +19,10 @@ public abstract class DatRecord
     [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingDefault)]
     public int TrailingZeros { get; internal set; }
 
+    /// <summary>Name or path of the file it was read from, for errors; empty when it was made in memory.</summary>
+    [JsonIgnore]
+    public string File { get; internal set; } = string.Empty;
+
     /// <summary>Decodes a whole record.</summary>
     /// <param name="id">Its id.</param>
     /// <param name="bytes">All its bytes.</param>
@@ -31,6 +35,7 @@ public abstract class DatRecord
         var reader = new DatReader(bytes, id, file, remarks);
         T record = T.Decode(ref reader);
         record.TrailingZeros = reader.ReadEnd();
+        record.File = file;
         return record;
     }
 

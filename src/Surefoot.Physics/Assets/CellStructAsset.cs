@@ -41,19 +41,18 @@ public sealed class CellStructAsset
     }
 
     /// <summary>Flattens one structure of an environment.</summary>
-    /// <param name="environmentId">Id of the environment's record, for errors.</param>
+    /// <param name="environment">The environment's record, for errors.</param>
     /// <param name="record">The structure.</param>
     /// <exception cref="Dats.DatFormatException">The record contradicts itself.</exception>
-    internal static CellStructAsset Build(uint environmentId, CellStruct record)
+    internal static CellStructAsset Build(CellEnvironment environment, CellStruct record)
     {
-        RecordFlattener flattener = new(environmentId);
+        RecordFlattener flattener = new(environment);
         Vector3[] vertices = flattener.Vertices(record.Vertices);
         DatPolygon[] portals = new DatPolygon[record.PortalPolygons.Length];
         for (int i = 0; i < portals.Length; i++)
         {
             int index = record.PortalPolygons[i];
-            if (index >= record.Polygons.Length)
-                throw new Dats.DatFormatException("", environmentId, 0, $"portal {i} names polygon {index} of {record.Polygons.Length}");
+            if (index >= record.Polygons.Length) throw flattener.Error($"portal {i} names polygon {index} of {record.Polygons.Length}");
             portals[i] = record.Polygons[index];
         }
 
@@ -98,5 +97,5 @@ public sealed class EnvironmentAsset
 
     /// <summary>Flattens a record.</summary>
     internal static EnvironmentAsset Build(CellEnvironment record) =>
-        new(record.Id, [.. record.Cells.Select(c => CellStructAsset.Build(record.Id, c))]);
+        new(record.Id, [.. record.Cells.Select(c => CellStructAsset.Build(record, c))]);
 }

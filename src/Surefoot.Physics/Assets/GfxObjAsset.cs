@@ -40,7 +40,7 @@ public sealed class GfxObjAsset
     /// <exception cref="Dats.DatFormatException">The record contradicts itself.</exception>
     internal static GfxObjAsset Build(GfxObj record, bool always2D)
     {
-        RecordFlattener flattener = new(record.Id);
+        RecordFlattener flattener = new(record);
         Vector3[] vertices = flattener.Vertices(record.Vertices);
         return new GfxObjAsset
         {

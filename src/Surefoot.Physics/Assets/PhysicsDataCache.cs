@@ -60,12 +60,28 @@ public sealed class PhysicsDataCache
         return meshes.GetOrAdd(id, GfxObjAsset.Build(record, IsAlways2D(record.DegradeId)));
     }
 
-    /// <summary>Does the first level of a degrade record (u32 id, u32 count, then u32 mesh, u32 mode, … for each) have a mode other than 1?</summary>
+    /// <summary>
+    /// Does the first level of a degrade record (u32 id, u32 count, then u32 mesh, u32 mode, … for each) have a mode other than 1? One that cannot be read
+    /// counts as missing.
+    /// </summary>
     private bool IsAlways2D(uint degradeId)
     {
-        if (degradeId == 0 || !Source.TryRead(degradeId, out ReadOnlySequence<byte> bytes) || bytes.Length < 16) return false;
+        if (degradeId == 0 || !TryReadBytes(degradeId, out ReadOnlySequence<byte> bytes) || bytes.Length < 16) return false;
         Span<byte> head = stackalloc byte[16];
         bytes.Slice(0, 16).CopyTo(head);
         return BinaryPrimitives.ReadUInt32LittleEndian(head[4..]) > 0 && BinaryPrimitives.ReadUInt32LittleEndian(head[12..]) != 1;
+    }
+
+    private bool TryReadBytes(uint id, out ReadOnlySequence<byte> bytes)
+    {
+        try
+        {
+            return Source.TryRead(id, out bytes);
+        }
+        catch (DatFormatException)
+        {
+            bytes = default;
+            return false;
+        }
     }
 }

@@ -11,7 +11,7 @@ namespace Surefoot.Physics.Assets;
 /// Flattens the shapes of one dat record and finds what would hurt later: missing polygons and vertices, numbers that are none. Every error names the record.
 /// </summary>
 /// <remarks>What a record refers to is referred to by position, as retail does; the keys in the file are ignored (specification 07, 7.1).</remarks>
-internal readonly struct RecordFlattener(uint id)
+internal readonly struct RecordFlattener(DatRecord record)
 {
     /// <summary>Positions of a record's vertices.</summary>
     public Vector3[] Vertices(DatVertexArray source)
@@ -118,5 +118,5 @@ internal readonly struct RecordFlattener(uint id)
     private static Sphere BoundsOf(in BspNode node) =>
         node.Tag == BspTag.Port ? new Sphere(Vector3.Zero, float.PositiveInfinity) : new Sphere(node.Sphere.Centre, node.Sphere.Radius);
 
-    private DatFormatException Error(string message) => new("", id, 0, message);
+    public DatFormatException Error(string message) => new(record.File, record.Id, 0, message);
 }

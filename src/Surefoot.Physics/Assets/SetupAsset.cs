@@ -109,7 +109,7 @@ public sealed class SetupAsset
     /// <exception cref="Dats.DatFormatException">The record has numbers that are none.</exception>
     internal static SetupAsset Build(Setup record, Func<uint, GfxObjAsset> meshes)
     {
-        RecordFlattener check = new(record.Id);
+        RecordFlattener check = new(record);
         SetupPart[] parts = new SetupPart[record.PartIds.Length];
         for (int i = 0; i < parts.Length; i++)
         {

@@ -9,6 +9,9 @@ public sealed class Landblock
     private readonly List<BuildingObject> buildings = [];
     private EnvCell[] rooms = [];
 
+    /// <summary>Rooms by their index; null where one is left out.</summary>
+    private EnvCell?[] roomsByIndex = [];
+
     internal Landblock(TerrainSurface terrain)
     {
         Terrain = terrain;
@@ -24,7 +27,7 @@ public sealed class Landblock
     /// <summary>The 64 squares of land, index 8·column + row.</summary>
     public ReadOnlySpan<LandCell> LandCells => land;
 
-    /// <summary>The rooms; the first one has the index 0x100.</summary>
+    /// <summary>The rooms, ascending by id; those that are left out are not among them.</summary>
     public ReadOnlySpan<EnvCell> Rooms => rooms;
 
     /// <summary>Objects of the block, then its scenery, then the objects of its rooms.</summary>
@@ -37,7 +40,7 @@ public sealed class Landblock
     internal ObjCell? Find(uint cellId)
     {
         uint index = cellId & 0xFFFF;
-        if (index >= CellIds.FirstIndoor) return index - CellIds.FirstIndoor < (uint)rooms.Length ? rooms[index - CellIds.FirstIndoor] : null;
+        if (index >= CellIds.FirstIndoor) return index - CellIds.FirstIndoor < (uint)roomsByIndex.Length ? roomsByIndex[index - CellIds.FirstIndoor] : null;
         return index - 1 < TerrainSurface.CellCount ? land[index - 1] : null;
     }
 
@@ -49,7 +52,16 @@ public sealed class Landblock
         return CellIds.AdjustToOutside(ref id, ref point) && CellIds.BlockOf(id) == Id ? land[CellIds.LandIndex(id)] : null;
     }
 
-    internal void SetRooms(EnvCell[] cells) => rooms = cells;
+    /// <summary>Makes these the rooms.</summary>
+    /// <param name="cells">Ascending by id; there may be gaps.</param>
+    internal void SetRooms(EnvCell[] cells)
+    {
+        rooms = cells;
+        roomsByIndex = new EnvCell?[cells.Length == 0 ? 0 : IndexOf(cells[^1].Id) + 1];
+        foreach (EnvCell room in cells) roomsByIndex[IndexOf(room.Id)] = room;
+
+        static int IndexOf(uint roomId) => (int)((roomId & 0xFFFF) - CellIds.FirstIndoor);
+    }
 
     /// <summary>Adds a building to the cell under its origin; the first building of a cell wins.</summary>
     /// <remarks>Retail: CLandBlock::init_buildings @0x0052FD80, CSortCell::add_building @0x00534030.</remarks>

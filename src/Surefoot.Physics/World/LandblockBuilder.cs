@@ -11,36 +11,47 @@ internal sealed class LandblockBuilder(PhysicsDataCache cache, RegionAsset regio
 {
     private const int MaxRooms = 0xFFFE - (int)CellIds.FirstIndoor;
 
-    /// <summary>The block of an id; null when the files have none.</summary>
-    /// <exception cref="DatRecordMissingException">A record that another one promises is missing.</exception>
-    /// <exception cref="DatFormatException">A record is malformed, or names something that does not exist.</exception>
-    internal Landblock? Build(uint blockId)
+    private readonly AssetFinder assets = new(cache);
+
+    /// <summary>The block of an id; null when the files have none, or when it is left out as a whole.</summary>
+    /// <param name="blockId">Any id of the block.</param>
+    /// <param name="faults">Decides on what is missing or wrong.</param>
+    internal Landblock? Build(uint blockId, LandblockFaults faults)
     {
         if (!CellIds.TryBlockCorner(blockId | 1, out _, out _)) return null;
-        uint recordId = CellIds.LandblockRecord(blockId), infoId = CellIds.LandblockInfoRecord(blockId);
-        if (!cache.Source.TryRead(recordId, out LandBlock? record)) return null;
+        uint recordId = CellIds.LandblockRecord(blockId);
+        try
+        {
+            return cache.Source.TryRead(recordId, out LandBlock? record) ? Build(blockId, record, faults) : null;
+        }
+        catch (Exception fault) when (LandblockFaults.IsFault(fault))
+        {
+            faults.LeaveOutAll(recordId, fault);
+            return null;
+        }
+    }
 
+    private Landblock Build(uint blockId, LandBlock record, LandblockFaults faults)
+    {
         float[] heights = new float[TerrainSurface.VertexCount];
         for (int i = 0; i < heights.Length; i++) heights[i] = region.HeightTable[record.Heights[i]];
         Landblock block = new(new TerrainSurface(blockId, heights, record.Terrain.AsSpan()));
-        LandBlockInfo? info = record.HasInfo ? cache.Source.Read<LandBlockInfo>(infoId, recordId) : null;
+        LandBlockInfo? info = record.HasInfo ? cache.Source.Read<LandBlockInfo>(CellIds.LandblockInfoRecord(blockId), record.Id) : null;
+        if (info?.CellCount > MaxRooms)
+            throw new DatFormatException(info.File, info.Id, 4, $"{info.CellCount} rooms; a block has at most {MaxRooms}");
         StaticOrder order = new(block.Id);
-        if (info is not null) AddContents(block, info, order);
-        foreach (SceneryItem item in Scenery.Of(block, region, cache))
+        if (info is not null) AddContents(block, info, order, faults);
+        foreach (SceneryItem item in Scenery.Of(block, region, assets, faults))
             block.AddStatic(new StaticObject(item.Setup, new Position(item.Cell.Id, item.Frame), order.NextOnLand(), item.Cell, item.Scale) { IsScenery = true });
-        if (info is not null) AddRooms(block, info, order);
+        if (info is not null) AddRooms(block, info, order, faults);
         return block;
     }
 
-    private void AddContents(Landblock block, LandBlockInfo info, StaticOrder order)
+    private void AddContents(Landblock block, LandBlockInfo info, StaticOrder order, LandblockFaults faults)
     {
-        RecordFlattener check = new(info.Id);
         foreach (Building building in info.Buildings)
         {
-            if (FindSetup(building.ModelId) is not { } setup) continue;
-            Position place = new(block.Id, check.Frame(building.Frame, $"the frame of building 0x{building.ModelId:X8}"));
-            if (block.LandCellUnder(place) is not { } cell) continue;
-            place.CellId = cell.Id;
+            if (Place(block, LeftOutKind.Building, building.ModelId, building.Frame, info, faults) is not var (setup, place, cell)) continue;
             StaticObject shell = new(setup, place, order.NextOnLand(), cell, 1f);
             BuildingPortal[] portals = [.. building.Portals.Select(p => new BuildingPortal(block.Id | p.OtherCell, (short)p.OtherPortal))];
             block.AddBuilding(cell, new BuildingObject(shell, portals));
@@ -48,11 +59,8 @@ internal sealed class LandblockBuilder(PhysicsDataCache cache, RegionAsset regio
 
         foreach (Dats.Records.StaticObject thing in info.Objects)
         {
-            if (FindSetup(thing.ObjectId) is not { } setup) continue;
-            Position place = new(block.Id, check.Frame(thing.Frame, $"the frame of object 0x{thing.ObjectId:X8}"));
-            if (block.LandCellUnder(place) is not { } cell) continue;
-            place.CellId = cell.Id;
-            block.AddStatic(new StaticObject(setup, place, order.NextOnLand(), cell, 1f));
+            if (Place(block, LeftOutKind.Object, thing.ObjectId, thing.Frame, info, faults) is var (setup, place, cell))
+                block.AddStatic(new StaticObject(setup, place, order.NextOnLand(), cell, 1f));
         }
 
         foreach (CellRestriction restriction in info.Restrictions)
@@ -62,39 +70,96 @@ internal sealed class LandblockBuilder(PhysicsDataCache cache, RegionAsset regio
         }
     }
 
-    private void AddRooms(Landblock block, LandBlockInfo info, StaticOrder order)
+    /// <summary>Shape, place and square of land of a thing outdoors; null when it is left out or not over this block, where retail discards it.</summary>
+    private (SetupAsset Setup, Position Place, LandCell Cell)? Place(
+        Landblock block, LeftOutKind kind, uint modelId, in DatFrame frame, LandBlockInfo info, LandblockFaults faults)
     {
-        if (info.CellCount > MaxRooms) throw new DatFormatException("", info.Id, 4, $"{info.CellCount} rooms; a block has at most {MaxRooms}");
-        List<EnvCell> rooms = [];
-        for (uint i = 0; i < info.CellCount; i++)
+        if (assets.FindSetup(modelId, kind, info.Id, faults) is not { } setup || Seat(kind, modelId, block.Id, frame, info, faults) is not { } place) return null;
+        if (block.LandCellUnder(place) is not { } cell) return null;
+        place.CellId = cell.Id;
+        return (setup, place, cell);
+    }
+
+    /// <summary>The place that a record gives to a thing; null when its numbers are none and it is left out.</summary>
+    private static Position? Seat(LeftOutKind kind, uint modelId, uint cellId, in DatFrame frame, DatRecord record, LandblockFaults faults)
+    {
+        try
         {
-            EnvCellRecord record = cache.Source.Read<EnvCellRecord>(block.Id | (CellIds.FirstIndoor + i), info.Id);
-            EnvCell room = new(RoomOf(record));
-            rooms.Add(room);
-            RecordFlattener check = new(record.Id);
-            foreach (Dats.Records.StaticObject thing in record.StaticObjects)
+            return new Position(cellId, new RecordFlattener(record).Frame(frame, $"{kind} 0x{modelId:X8}"));
+        }
+        catch (DatFormatException fault)
+        {
+            faults.LeaveOut(kind, modelId, record.Id, fault);
+            return null;
+        }
+    }
+
+    private void AddRooms(Landblock block, LandBlockInfo info, StaticOrder order, LandblockFaults faults)
+    {
+        List<EnvCell> rooms = [];
+        uint first = block.Id | CellIds.FirstIndoor, end = first + info.CellCount, missing = 0;
+        for (uint id = first; id <= end; id++)
+        {
+            if (id < end && !TryAddRoom(rooms, block, id, info, order, faults))
             {
-                if (thing.ObjectId == 0 || FindSetup(thing.ObjectId) is not { } setup) continue;
-                Position place = new(room.Id, check.Frame(thing.Frame, $"the frame of object 0x{thing.ObjectId:X8}"));
-                block.AddStatic(new StaticObject(setup, place, order.NextInRoom(), room, 1f));
+                missing++;
+            }
+            else if (missing > 0)
+            {
+                faults.LeaveOutMissingRooms(id - missing, missing, info.Id);
+                missing = 0;
             }
         }
 
         block.SetRooms([.. rooms]);
     }
 
-    private EnvCellContent RoomOf(EnvCellRecord record)
+    /// <summary>Adds a room with what stands in it, or leaves it out.</summary>
+    /// <returns>False when there is no such record.</returns>
+    private bool TryAddRoom(List<EnvCell> rooms, Landblock block, uint id, LandBlockInfo info, StaticOrder order, LandblockFaults faults)
     {
+        EnvCellRecord? record;
+        EnvCell room;
+        try
+        {
+            if (!cache.Source.TryRead(id, out record)) return false;
+            if (!assets.TryGetEnvironment(record.EnvironmentId, out EnvironmentAsset? environment, out Exception? fault))
+            {
+                faults.LeaveOut(LeftOutKind.Room, id, info.Id, fault);
+                return true;
+            }
+
+            room = new EnvCell(RoomOf(record, environment));
+        }
+        catch (DatFormatException fault)
+        {
+            faults.LeaveOut(LeftOutKind.Room, id, info.Id, fault);
+            return true;
+        }
+
+        rooms.Add(room);
+        foreach (Dats.Records.StaticObject thing in record.StaticObjects)
+        {
+            if (thing.ObjectId == 0 || assets.FindSetup(thing.ObjectId, LeftOutKind.Object, id, faults) is not { } setup) continue;
+            if (Seat(LeftOutKind.Object, thing.ObjectId, id, thing.Frame, record, faults) is { } place)
+                block.AddStatic(new StaticObject(setup, place, order.NextInRoom(), room, 1f));
+        }
+
+        return true;
+    }
+
+    private static EnvCellContent RoomOf(EnvCellRecord record, EnvironmentAsset environment)
+    {
+        RecordFlattener check = new(record);
         uint blockId = CellIds.BlockOf(record.CellId);
-        EnvironmentAsset environment = cache.GetEnvironment(record.EnvironmentId);
         if (environment[record.Structure] is not { } structure)
-            throw new DatFormatException("", record.Id, 0, $"structure {record.Structure} of environment 0x{environment.Id:X8} does not exist");
+            throw check.Error($"structure {record.Structure} of environment 0x{environment.Id:X8} does not exist");
         PortalPlane[] portals = new PortalPlane[record.Portals.Length];
         for (int i = 0; i < portals.Length; i++)
         {
             CellPortal portal = record.Portals[i];
             if (!structure.TryFindPortal(portal.Polygon, out int polygon))
-                throw new DatFormatException("", record.Id, 0, $"portal {i} names polygon {portal.Polygon}, which is no portal of its structure");
+                throw check.Error($"portal {i} names polygon {portal.Polygon}, which is no portal of its structure");
             portals[i] = new PortalPlane(
                 structure.Portals.PlaneOf(polygon),
                 portal.PortalSide,
@@ -105,26 +170,13 @@ internal sealed class LandblockBuilder(PhysicsDataCache cache, RegionAsset regio
         return new EnvCellContent
         {
             Id = record.Id,
-            Frame = new RecordFlattener(record.Id).Frame(record.Position, "the position"),
+            Frame = check.Frame(record.Position, "the room"),
             Shape = structure,
             Portals = portals,
             StabList = [.. record.VisibleCells.Select(index => blockId | index)],
             SeenOutside = record.Flags.HasFlag(EnvCellFlags.SeenOutside),
             RestrictionObject = record.RestrictionObjectId,
         };
-    }
-
-    /// <summary>The shape of an object; null when there is no record with its id, which leaves the object out.</summary>
-    private SetupAsset? FindSetup(uint id)
-    {
-        try
-        {
-            return cache.GetSetup(id);
-        }
-        catch (DatRecordMissingException missing) when (missing.Id == id)
-        {
-            return null;
-        }
     }
 
     /// <summary>Numbers statics: those of the land of all blocks, column by column, before those of rooms.</summary>

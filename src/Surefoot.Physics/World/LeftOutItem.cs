@@ -47,7 +47,7 @@ public sealed record LeftOutItem(LeftOutKind Kind, uint Id, string Reason, strin
     /// <summary>All of it in one line, for people.</summary>
     public override string ToString()
     {
-        string times = Count == 1 ? "" : $", {Count} times";
+        string times = Count == 1 ? "" : $" × {Count}";
         string first = FirstIn == 0 ? "" : $", {(Count == 1 ? "" : "first ")}in 0x{FirstIn:X8}";
         string place = File.Length == 0 ? "" : $" ({Path.GetFileName(File)}, offset 0x{Offset:X})";
         return string.Create(CultureInfo.InvariantCulture, $"{Kind} 0x{Id:X8}{times}{first}: {Reason}{place}");

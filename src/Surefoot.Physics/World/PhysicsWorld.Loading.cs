@@ -10,6 +10,9 @@ public sealed partial class PhysicsWorld
     private readonly LandblockBuilder? builder;
     private readonly List<WeakReference<PhysicsEngine>> engines = [];
 
+    /// <summary>Blocks whose faults are in the list: they are counted once, however often a block is loaded.</summary>
+    private readonly HashSet<uint> reported = [];
+
     /// <summary>A world of which nothing is loaded yet.</summary>
     /// <param name="cache">Shapes and records; may be shared with other worlds.</param>
     /// <param name="region">The region; read from the cache's source when not given. May be shared with other worlds.</param>
@@ -28,26 +31,33 @@ public sealed partial class PhysicsWorld
     /// <summary>What all landblocks share.</summary>
     public RegionAsset Region { get; }
 
+    /// <summary>
+    /// Off, the usual case: what is missing or wrong in the files costs only the thing it belongs to, which <see cref="LeftOut"/> then lists. On, for those who
+    /// write worlds: a landblock with a fault does not load, and loading it throws. Retail's own omissions (buildings, objects and scenes whose own record is in no
+    /// file) are no fault; they are listed either way.
+    /// </summary>
+    public bool StrictLoading { get; init; }
+
     /// <summary>Loads a block with all its rooms, buildings, objects and scenery.</summary>
     /// <param name="blockId">Any id of the block.</param>
-    /// <returns>False when the files have no such block, or it is off the map.</returns>
-    /// <exception cref="DatRecordMissingException">A record that another one promises is missing; nothing was loaded.</exception>
-    /// <exception cref="DatFormatException">A record is malformed; nothing was loaded.</exception>
+    /// <returns>False when the files have no such block, it is off the map, or it cannot be read; <see cref="LeftOut"/> then says why.</returns>
+    /// <exception cref="DatRecordMissingException"><see cref="StrictLoading"/>: a record that another one promises is missing; nothing was loaded.</exception>
+    /// <exception cref="DatFormatException"><see cref="StrictLoading"/>: a record is malformed; nothing was loaded.</exception>
     public bool LoadLandblock(uint blockId)
     {
         if (FindLandblock(blockId) is not null) return true;
-        if (builder?.Build(CellIds.BlockOf(blockId)) is not { } block) return false;
+        if (Build(CellIds.BlockOf(blockId)) is not { } block) return false;
         Add(block);
         TellLoaded(block.Id);
         return true;
     }
 
-    /// <summary>Loads the block of a position and those around it, as far as the files have them.</summary>
+    /// <summary>Loads the block of a position and those around it, as far as the files have them. A block that cannot be read keeps none of the others away.</summary>
     /// <param name="position">The place in the middle.</param>
     /// <param name="radius">How many blocks on each side; 1 is what retail keeps.</param>
     /// <exception cref="ArgumentOutOfRangeException">The radius is negative.</exception>
-    /// <exception cref="DatRecordMissingException">A record that another one promises is missing; blocks before it were loaded.</exception>
-    /// <exception cref="DatFormatException">A record is malformed; blocks before it were loaded.</exception>
+    /// <exception cref="DatRecordMissingException"><see cref="StrictLoading"/>: a record that another one promises is missing; blocks before it were loaded.</exception>
+    /// <exception cref="DatFormatException"><see cref="StrictLoading"/>: a record is malformed; blocks before it were loaded.</exception>
     public void EnsureLoadedAround(in Position position, int radius)
     {
         ArgumentOutOfRangeException.ThrowIfNegative(radius);
@@ -61,7 +71,7 @@ public sealed partial class PhysicsWorld
                 for (int j = Math.Max(y - radius, 0); j <= Math.Min(y + radius, MapBlocks - 1); j++)
                 {
                     uint id = ((uint)i << 24) | ((uint)j << 16);
-                    if (FindLandblock(id) is not null || builder?.Build(id) is not { } block) continue;
+                    if (FindLandblock(id) is not null || Build(id) is not { } block) continue;
                     Add(block);
                     added.Add(id);
                 }
@@ -72,6 +82,18 @@ public sealed partial class PhysicsWorld
             // Bodies come back to land whose neighbours are there.
             foreach (uint id in added) TellLoaded(id);
         }
+    }
+
+    private Landblock? Build(uint blockId)
+    {
+        LandblockFaults faults = new(StrictLoading);
+        Landblock? block = builder?.Build(blockId, faults);
+        if (faults.Items.Count > 0 && reported.Add(blockId))
+        {
+            foreach (LeftOutItem item in faults.Items) LeftOut.Add(item);
+        }
+
+        return block;
     }
 
     /// <summary>Unloads a block. Bodies in it wait until it is loaded again; those near by are no longer listed in it.</summary>

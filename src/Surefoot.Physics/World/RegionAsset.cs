@@ -14,7 +14,7 @@ public sealed class RegionAsset
     private readonly float[] heights = new float[Region.HeightCount];
     private readonly uint[][][] scenes = [];
     private readonly IDatSource? source;
-    private readonly ConcurrentDictionary<uint, Scene?> loaded = new();
+    private readonly ConcurrentDictionary<uint, SceneAnswer> loaded = new();
 
     /// <summary>A region without scenery.</summary>
     /// <param name="heightTable">Up to 256 heights, metres; see <see cref="HeightTable"/>.</param>
@@ -48,9 +48,9 @@ public sealed class RegionAsset
     internal ReadOnlySpan<uint> ScenesOn(int terrainType, int sceneType) =>
         terrainType < scenes.Length && sceneType < scenes[terrainType].Length ? scenes[terrainType][sceneType] : default;
 
-    /// <summary>A scene, or null when there is none with this id.</summary>
-    internal Scene? FindScene(uint id) =>
-        id == 0 || source is null ? null : loaded.GetOrAdd(id, static (key, from) => from.TryRead(key, out Scene? scene) ? scene : null, source);
+    /// <summary>A scene, or why there is none. Id 0 stands for none and is no fault.</summary>
+    internal SceneAnswer FindScene(uint id) =>
+        id == 0 || source is null ? default : loaded.GetOrAdd(id, static (key, from) => SceneAnswer.Read(from, key), source);
 
     private static uint[] ScenesOf(Region record, uint sceneType) =>
         sceneType < (uint)record.SceneTypes.Length ? [.. record.SceneTypes[(int)sceneType].SceneIds] : [];
@@ -59,5 +59,21 @@ public sealed class RegionAsset
     {
         ArgumentNullException.ThrowIfNull(record);
         return record;
+    }
+}
+
+/// <summary>A scene, or the fault that makes it unusable: its record is missing or cannot be read.</summary>
+internal readonly record struct SceneAnswer(Scene? Scene, Exception? Fault)
+{
+    internal static SceneAnswer Read(IDatSource source, uint id)
+    {
+        try
+        {
+            return new SceneAnswer(source.Read<Scene>(id), null);
+        }
+        catch (Exception fault) when (fault is DatRecordMissingException or DatFormatException)
+        {
+            return new SceneAnswer(null, fault);
+        }
     }
 }

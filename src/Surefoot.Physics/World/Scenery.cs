@@ -1,5 +1,5 @@
+using System.Globalization;
 using System.Numerics;
-using Surefoot.Dats;
 using Surefoot.Dats.Records;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Geometry;
@@ -14,7 +14,7 @@ internal static class Scenery
     private const uint FrequencyQuestion = 23399, XQuestion = 45773, YQuestion = 72719, RotationQuestion = 63127, ScaleQuestion = 32593;
 
     /// <summary>The scenery of a block whose ground and buildings are there, in retail's order.</summary>
-    internal static IEnumerable<SceneryItem> Of(Landblock block, RegionAsset region, PhysicsDataCache cache)
+    internal static IEnumerable<SceneryItem> Of(Landblock block, RegionAsset region, AssetFinder assets, LandblockFaults faults)
     {
         for (int ix = 0; ix < TerrainSurface.VerticesPerSide; ix++)
         {
@@ -23,10 +23,11 @@ internal static class Scenery
                 ushort word = block.Terrain.WordOf(ix, iy);
                 uint x = (8 * (block.Id >> 24)) + (uint)ix, y = (8 * ((block.Id >> 16) & 0xFF)) + (uint)iy;
                 uint sceneId = PickScene(region.ScenesOn(TerrainSurface.TypeOf(word), TerrainSurface.SceneryOf(word)), x, y);
-                if (region.FindScene(sceneId) is not { } scene) continue;
-                for (int k = 0; k < scene.Objects.Length; k++)
+                (Scene? scene, Exception? fault) = region.FindScene(sceneId);
+                if (fault is not null) faults.LeaveOut(LeftOutKind.Scene, sceneId, CellIds.LandblockRecord(block.Id), fault);
+                for (int k = 0; k < scene?.Objects.Length; k++)
                 {
-                    if (TryPlace(block, scene, (uint)k, new Spot(ix, iy, x, y), cache) is { } item) yield return item;
+                    if (TryPlace(block, scene, (uint)k, new Spot(ix, iy, x, y), assets, faults) is { } item) yield return item;
                 }
             }
         }
@@ -54,7 +55,7 @@ internal static class Scenery
         return scenes[index >= scenes.Length ? 0 : index];
     }
 
-    private static SceneryItem? TryPlace(Landblock block, Scene scene, uint k, in Spot spot, PhysicsDataCache cache)
+    private static SceneryItem? TryPlace(Landblock block, Scene scene, uint k, in Spot spot, AssetFinder assets, LandblockFaults faults)
     {
         SceneObject thing = scene.Objects[(int)k];
         if (!(Share(spot.X, spot.Y, k, FrequencyQuestion) < thing.Frequency) || thing.WeenieObject != 0) return null;
@@ -67,9 +68,13 @@ internal static class Scenery
         Plane plane = block.Terrain.PlaneOf(triangle);
         if (!(plane.Normal.Z >= thing.MinSlope && plane.Normal.Z <= thing.MaxSlope) || !PlaneQueries.SetHeight(plane, ref point)) return null;
 
-        RecordFlattener check = new(scene.Id);
-        Frame frame = check.Frame(thing.BaseFrame, $"the frame of object {k}");
-        frame.Origin = point;
+        if (FaultOf(thing) is { } fault)
+        {
+            faults.LeaveOut(LeftOutKind.Scenery, thing.ObjectId, scene.Id, new RecordFlattener(scene).Error($"object {k} {fault}"));
+            return null;
+        }
+
+        Frame frame = new(point, thing.BaseFrame.Rotation);
         if (thing.Align != 0)
         {
             Vector3 uphill = new(-plane.Normal.X, -plane.Normal.Y, 0);
@@ -80,20 +85,17 @@ internal static class Scenery
             frame.SetHeading((float)(Share(spot.X, spot.Y, k, RotationQuestion) * thing.MaxRotation));
         }
 
-        SetupAsset setup;
-        try
-        {
-            setup = cache.GetSetup(thing.ObjectId);
-        }
-        catch (DatRecordMissingException missing) when (missing.Id == thing.ObjectId)
-        {
-            return null;
-        }
+        if (assets.FindSetup(thing.ObjectId, LeftOutKind.Scenery, scene.Id, faults) is not { } setup) return null;
+        return IsWithinBlock(setup, frame) ? new SceneryItem(setup, frame, Scale(thing, k, spot), cell) : null;
+    }
 
-        if (!IsWithinBlock(setup, frame)) return null;
-        float scale = Scale(thing, k, spot);
-        if (!(scale > 0) || !float.IsFinite(scale)) throw new DatFormatException("", scene.Id, 0, $"object {k} has the scale {scale}");
-        return new SceneryItem(setup, frame, scale, cell);
+    /// <summary>Why an object of a scene cannot stand anywhere; null when it can.</summary>
+    private static string? FaultOf(in SceneObject thing)
+    {
+        Quaternion turn = thing.BaseFrame.Rotation;
+        if (!float.IsFinite(turn.X + turn.Y + turn.Z + turn.W) || !float.IsFinite(thing.MaxRotation)) return "has a rotation that is not finite";
+        bool hasSize = thing.MinScale > 0 && thing.MaxScale > 0 && float.IsFinite(thing.MinScale) && float.IsFinite(thing.MaxScale);
+        return hasSize ? null : string.Create(CultureInfo.InvariantCulture, $"is scaled by {thing.MinScale} to {thing.MaxScale}");
     }
 
     private static Vector3 Displace(in SceneObject thing, uint k, in Spot spot)

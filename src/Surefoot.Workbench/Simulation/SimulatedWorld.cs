@@ -36,14 +36,14 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     private readonly TouchFinder touches;
     private readonly ILogger logger;
     private readonly List<SimulatedPlayer> players = [];
-    private readonly HashSet<uint> broken = [];
     private readonly List<uint> leaving = [];
+    private long leftOutLogged;
 
     /// <summary>A world over an open folder, which it takes over.</summary>
     /// <param name="name">Name shown on the page.</param>
     /// <param name="dats">The files; disposed with the world.</param>
     /// <param name="places">Places to go to; those in landblocks that the files lack are left out.</param>
-    /// <param name="logger">Is told of landblocks that cannot be read.</param>
+    /// <param name="logger">Is told of what is left out because it cannot be read.</param>
     /// <param name="spawns">Whom and what to spawn.</param>
     /// <exception cref="DatRecordMissingException">The region, the human setup or its motion table is missing, or those of a spawn.</exception>
     /// <exception cref="DatFormatException">One of them is malformed.</exception>
@@ -155,14 +155,7 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     {
         uint blockId = (uint)block << 16;
         PhysicsWorld view = new(cache, land.Region);
-        try
-        {
-            return view.LoadLandblock(blockId) ? ShapeCollector.Collect(view.FindLandblock(blockId)!) : null;
-        }
-        catch (Exception unreadable) when (unreadable is DatFormatException or DatRecordMissingException)
-        {
-            return null;
-        }
+        return view.LoadLandblock(blockId) ? ShapeCollector.Collect(view.FindLandblock(blockId)!) : null;
     }
 
     /// <inheritdoc/>
@@ -177,26 +170,10 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     /// <summary>Loads what a player in this cell may reach; before it is put there.</summary>
     internal void LoadAround(uint cellId, int radius)
     {
-        int x = (int)(cellId >> 24), y = (int)((cellId >> 16) & 0xFF);
-        for (int i = Math.Max(0, x - radius); i <= Math.Min(254, x + radius); i++)
-        {
-            for (int j = Math.Max(0, y - radius); j <= Math.Min(254, y + radius); j++) Load(((uint)i << 24) | ((uint)j << 16));
-        }
-    }
-
-    /// <summary>A block that cannot be read is left out, as if the files had none: the rest of the world stays playable.</summary>
-    private void Load(uint blockId)
-    {
-        if (broken.Contains(blockId)) return;
-        try
-        {
-            if (!land.LoadLandblock(blockId)) broken.Add(blockId);
-        }
-        catch (Exception unreadable) when (unreadable is DatFormatException or DatRecordMissingException)
-        {
-            broken.Add(blockId);
-            LogUnreadable(logger, blockId, unreadable);
-        }
+        land.EnsureLoadedAround(new Position(cellId, Vector3.Zero), radius);
+        if (land.LeftOut.Total == leftOutLogged) return;
+        LogLeftOut(logger, land.LeftOut.Total, land.LeftOut[^1]);
+        leftOutLogged = land.LeftOut.Total;
     }
 
     private void Resettle(uint cellId)
@@ -228,6 +205,6 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
         return place with { Position = place.Position with { Z = z } };
     }
 
-    [LoggerMessage(Level = LogLevel.Warning, Message = "Landblock 0x{Block:X8} cannot be read and is left out")]
-    private static partial void LogUnreadable(ILogger logger, uint block, Exception unreadable);
+    [LoggerMessage(Level = LogLevel.Warning, Message = "{Total} things of the files are left out by now, such as {Item}")]
+    private static partial void LogLeftOut(ILogger logger, long total, LeftOutItem item);
 }

@@ -19,16 +19,16 @@ public sealed class HostileBodiesTests
     private static readonly SetupAsset Walker = StubWorld.Setup(new Sphere(new Vector3(0, 0, 0.48f), 0.48f), new Sphere(new Vector3(0, 0, 1.35f), 0.48f));
 
     [Theory]
-    [Behaviour("world.hostile.scenery-scale", "design.md, decision 7; spec/05, 4.8")]
+    [Behaviour("world.strict.scenery-scale", "spec/07, 9.1; spec/05, 4.8")]
     [InlineData(0, 0)]
     [InlineData(-1, -1)]
     [InlineData(float.NaN, 1)]
     [InlineData(0, 1)]
     [InlineData(1, float.PositiveInfinity)]
-    public void Scenery_without_a_size_is_refused_with_the_scene_s_id(float least, float most)
+    public void Strict_loading_names_the_scene_of_scenery_without_a_size(float least, float most)
     {
         SceneObject thing = new() { ObjectId = Thing, BaseFrame = DatFrame.Identity, Frequency = 2, MinScale = least, MaxScale = most, MaxSlope = 2 };
-        PhysicsWorld world = new Records { [Scene] = new Scene { Id = Scene, Objects = [thing] } }.World(SceneryEverywhere);
+        PhysicsWorld world = new Records { [Scene] = new Scene { Id = Scene, Objects = [thing] } }.World(SceneryEverywhere, strict: true);
         DatFormatException error = Assert.Throws<DatFormatException>(() => world.LoadLandblock(Block));
         Assert.Equal(Scene, error.RecordId);
         Assert.Empty(world.Landblocks);

@@ -11,7 +11,7 @@ using StaticObject = Surefoot.Dats.Records.StaticObject;
 
 namespace Surefoot.Physics.Tests.World;
 
-/// <summary>Landblocks whose records promise what is not there.</summary>
+/// <summary>Landblocks whose records promise what is not there: loaded strictly each is refused, naming the culprit. <see cref="LeftOutTests"/> has the usual way.</summary>
 public sealed class HostileWorldTests
 {
     internal const uint Block = 0xA9B4FFFF, Info = 0xA9B4FFFE, Room = 0xA9B40100, Shapes = 0x0D000001, Mesh = 0x01000001, Thing = 0x02000001;
@@ -26,35 +26,35 @@ public sealed class HostileWorldTests
     }
 
     [Fact]
-    [Behaviour("world.hostile.missing-info", "spec/05, 4.7")]
-    public void A_promised_info_record_that_is_missing_is_named() => Fails<DatRecordMissingException>(new Records { [Info] = null }, Info);
+    [Behaviour("world.strict.missing-info", "spec/05, 4.7")]
+    public void Strict_loading_names_a_promised_info_record_that_is_missing() => Fails<DatRecordMissingException>(new Records { [Info] = null }, Info);
 
     [Fact]
-    [Behaviour("world.hostile.missing-room", "spec/07, 7.13")]
-    public void A_promised_room_that_is_missing_is_named() => Fails<DatRecordMissingException>(new Records { [Room] = null }, Room);
+    [Behaviour("world.strict.missing-room", "spec/07, 7.13")]
+    public void Strict_loading_names_a_promised_room_that_is_missing() => Fails<DatRecordMissingException>(new Records { [Room] = null }, Room);
 
     [Fact]
-    [Behaviour("world.hostile.room-count", "spec/07, 7.13")]
-    public void More_rooms_than_a_block_can_have_are_refused() =>
+    [Behaviour("world.strict.room-count", "spec/07, 7.13")]
+    public void Strict_loading_refuses_more_rooms_than_a_block_can_have() =>
         Fails<DatFormatException>(new Records { [Info] = new LandBlockInfo { Id = Info, CellCount = 0xFFFFFFFF } }, Info);
 
     [Fact]
-    [Behaviour("world.hostile.missing-environment", "spec/05, 7.5")]
-    public void A_room_without_its_environment_names_it() => Fails<DatRecordMissingException>(new Records { [Shapes] = null }, Shapes);
+    [Behaviour("world.strict.missing-environment", "spec/07, 9.1; spec/05, 7.5")]
+    public void Strict_loading_names_the_environment_that_a_room_lacks() => Fails<DatRecordMissingException>(new Records { [Shapes] = null }, Shapes);
 
     [Fact]
-    [Behaviour("world.hostile.missing-structure", "spec/05, 7.5")]
-    public void A_room_of_a_structure_that_does_not_exist_is_named() =>
+    [Behaviour("world.strict.missing-structure", "spec/07, 9.1; spec/05, 7.5")]
+    public void Strict_loading_names_a_room_of_a_structure_that_does_not_exist() =>
         Fails<DatFormatException>(new Records { [Room] = RoomRecord(structure: 7) }, Room);
 
     [Fact]
-    [Behaviour("world.hostile.missing-portal-polygon", "spec/05, 7.5")]
-    public void A_room_whose_portal_has_no_polygon_is_named() =>
+    [Behaviour("world.strict.missing-portal-polygon", "spec/07, 9.1; spec/05, 7.5")]
+    public void Strict_loading_names_a_room_whose_portal_has_no_polygon() =>
         Fails<DatFormatException>(new Records { [Room] = RoomRecord(portals: new CellPortal(PortalFlags.Outside, 99, 0, 0)) }, Room);
 
     [Fact]
-    [Behaviour("world.hostile.bad-frame", "spec/07, 2")]
-    public void A_room_that_is_nowhere_is_named() => Fails<DatFormatException>(
+    [Behaviour("world.strict.bad-frame", "spec/07, 2")]
+    public void Strict_loading_names_a_room_that_is_nowhere() => Fails<DatFormatException>(
         new Records { [Room] = RoomRecord(frame: new DatFrame(new Vector3(float.NaN, 0, 0), Quaternion.Identity)) }, Room);
 
     [Fact]
@@ -119,18 +119,19 @@ public sealed class HostileWorldTests
     private static void Fails<T>(Records records, uint culprit)
         where T : Exception
     {
-        PhysicsWorld world = records.World();
+        PhysicsWorld world = records.World(strict: true);
         T error = Assert.Throws<T>(() => world.LoadLandblock(Block));
         Assert.Contains($"{culprit:X8}", error.Message, StringComparison.Ordinal);
         Assert.Empty(world.Landblocks);
         Assert.Null(world.GetVisible(0xA9B40001));
+        Assert.Empty(world.LeftOut);
     }
 
     private static DatVertex Vertex(ushort key, float at) => new(key, new Vector3(at), Vector3.UnitZ);
 
     internal static StaticObject At(uint id, float x) => new(id, new DatFrame(new Vector3(x, 12, 0), Quaternion.Identity));
 
-    private static EnvCell RoomRecord(ushort structure = 0, DatFrame? frame = null, params ImmutableArray<CellPortal> portals) => new()
+    internal static EnvCell RoomRecord(ushort structure = 0, DatFrame? frame = null, params ImmutableArray<CellPortal> portals) => new()
     {
         Id = Room,
         CellId = Room,
@@ -167,10 +168,11 @@ public sealed class HostileWorldTests
             }
         }
 
-        public PhysicsWorld World(Region? region = null)
+        public PhysicsWorld World(Region? region = null, bool strict = false)
         {
             MemorySource source = new MemorySource().Add([.. records.Values]);
-            return new PhysicsWorld(new PhysicsDataCache(source), region is null ? new RegionAsset([0f]) : new RegionAsset(region, source));
+            RegionAsset land = region is null ? new RegionAsset([0f]) : new RegionAsset(region, source);
+            return new PhysicsWorld(new PhysicsDataCache(source), land) { StrictLoading = strict };
         }
     }
 }

@@ -37,7 +37,7 @@ public sealed class LeftOutListTests
         LeftOutItem item = new(LeftOutKind.Room, 0xA9B40101, "the structure 7 does not exist", "/dats/client_cell_1.dat", 0x14);
         Assert.Equal("Room 0xA9B40101: the structure 7 does not exist (client_cell_1.dat, offset 0x14)", item.ToString());
         Assert.Equal(
-            "Scenery 0x02000010, 12 times, first in 0x12000001: it is missing",
+            "Scenery 0x02000010 × 12, first in 0x12000001: it is missing",
             (Tree(0x02000010) with { FirstIn = 0x12000001, Count = 12 }).ToString());
     }
 

@@ -272,6 +272,7 @@ public sealed class RoomTests
                 Tag = i < planes.Length - 1 ? BspTag.BPnn : BspTag.Bpnn, Plane = plane, Positive = i < planes.Length - 1 ? i + 1 : BspNode.None,
             }),
         ];
-        return CellStructAsset.Build(0x0D000001, new CellStruct { CellTree = new BspTree { Nodes = nodes }, PhysicsTree = BspTree.OfLeaf(new BspNode()) });
+        CellStruct structure = new() { CellTree = new BspTree { Nodes = nodes }, PhysicsTree = BspTree.OfLeaf(new BspNode()) };
+        return CellStructAsset.Build(new CellEnvironment { Id = 0x0D000001, Cells = [structure] }, structure);
     }
 }
