@@ -16,10 +16,11 @@ public static class DemoPlaces
     public static ImmutableArray<NamedPlace> For(uint seed)
         => seed == DemoWorldBuilder.DefaultSeed ? All : WorldPlan.Create(seed).Places;
 
-    /// <summary>Looks a place of the default world up by its name, without regard to case.</summary>
+    /// <summary>Looks a place of the default world up by its name or by its title, as the page shows it, without regard to case.</summary>
     public static bool TryFind(string name, out NamedPlace place)
     {
-        place = All.FirstOrDefault(p => p.Name.Equals(name, StringComparison.OrdinalIgnoreCase))!;
+        place = (All.FirstOrDefault(p => p.Name.Equals(name, StringComparison.OrdinalIgnoreCase))
+            ?? All.FirstOrDefault(p => p.Title.Equals(name, StringComparison.OrdinalIgnoreCase)))!;
         return place is not null;
     }
 

@@ -20,7 +20,10 @@ public static class DemoWorldBuilder
     public const uint DefaultSeed = 1999;
 
     /// <summary>Writes client_portal.dat, client_cell_1.dat and an empty client_local_English.dat.</summary>
-    /// <remarks>The same seed gives the same bytes. Takes about a second. Existing files of these names are replaced.</remarks>
+    /// <remarks>
+    /// The same seed gives the same bytes. Takes about a second. Existing files of these names are replaced, each at once when it is whole: several writers at a
+    /// time do not disturb each other, and the last one's files stay.
+    /// </remarks>
     /// <param name="directory">Where to; made when missing.</param>
     /// <param name="seed">Chooses the landscape; the places keep their names.</param>
     /// <param name="progress">Told about each step; null when nobody listens.</param>
@@ -49,9 +52,18 @@ public static class DemoWorldBuilder
 
     private static void WriteFile(string path, DatFileKind kind, IEnumerable<DatRecord> records)
     {
-        var writer = new DatFileWriter(path, kind);
-        foreach (var record in records)
-            writer.Add(record);
-        writer.Complete();
+        string unfinished = $"{path}.{Guid.NewGuid():N}.tmp";
+        try
+        {
+            var writer = new DatFileWriter(unfinished, kind);
+            foreach (var record in records)
+                writer.Add(record);
+            writer.Complete();
+            File.Move(unfinished, path, overwrite: true);
+        }
+        finally
+        {
+            File.Delete(unfinished);
+        }
     }
 }

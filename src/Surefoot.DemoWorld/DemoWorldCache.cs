@@ -27,23 +27,44 @@ public static class DemoWorldCache
     }
 
     /// <summary>The folder of a seed's world, written now if it is not there yet.</summary>
-    /// <remarks>Safe to call from several threads and processes at once: a world appears whole or not at all, and all get the same.</remarks>
+    /// <remarks>
+    /// Safe to call from several threads and processes at once: a world appears whole or not at all, and all get the same. A cache that cannot be written to is
+    /// replaced by a folder for temporary files.
+    /// </remarks>
     /// <param name="seed">The world's seed.</param>
     /// <param name="progress">Told about each step when the world has to be written.</param>
-    /// <exception cref="IOException">The cache cannot be written to.</exception>
-    /// <exception cref="UnauthorizedAccessException">The cache is not the caller's to write to.</exception>
-    public static string GetOrCreate(uint seed = DemoWorldBuilder.DefaultSeed, IProgress<DemoWorldProgress>? progress = null)
+    /// <param name="notice">Told in one sentence when the cache cannot be written to.</param>
+    /// <exception cref="IOException">The folder for temporary files cannot be written to either.</exception>
+    /// <exception cref="UnauthorizedAccessException">It is not the caller's to write to.</exception>
+    public static string GetOrCreate(
+        uint seed = DemoWorldBuilder.DefaultSeed, IProgress<DemoWorldProgress>? progress = null, Action<string>? notice = null)
     {
-        string folder = Path.Combine(Root, KeyOf(seed));
+        string root = Root;
+        try
+        {
+            return GetOrCreateIn(root, seed, progress);
+        }
+        catch (Exception error) when (error is IOException or UnauthorizedAccessException)
+        {
+            string temporary = Path.Combine(Path.GetTempPath(), $"surefoot-{Environment.UserName}", "demo-world");
+            if (temporary == root) throw;
+            notice?.Invoke($"the cache {root} cannot be written to ({error.Message.TrimEnd('.')}); the demo world is in {temporary}. Set {FolderVariable} to choose a folder.");
+            return GetOrCreateIn(temporary, seed, progress);
+        }
+    }
+
+    private static string GetOrCreateIn(string root, uint seed, IProgress<DemoWorldProgress>? progress)
+    {
+        string folder = Path.Combine(root, KeyOf(seed));
         if (IsComplete(folder))
         {
             Touch(folder);
             return folder;
         }
 
-        Directory.CreateDirectory(Root);
-        RemoveUnused();
-        string unfinished = Path.Combine(Root, $"{Path.GetFileName(folder)}.{Guid.NewGuid():N}.tmp");
+        Directory.CreateDirectory(root);
+        RemoveUnused(root);
+        string unfinished = Path.Combine(root, $"{Path.GetFileName(folder)}.{Guid.NewGuid():N}.tmp");
         try
         {
             DemoWorldBuilder.Write(unfinished, seed, progress);
@@ -109,9 +130,9 @@ public static class DemoWorldCache
         }
     }
 
-    private static void RemoveUnused()
+    private static void RemoveUnused(string root)
     {
-        foreach (string folder in Directory.GetDirectories(Root))
+        foreach (string folder in Directory.GetDirectories(root))
         {
             try
             {

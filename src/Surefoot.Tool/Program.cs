@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.CommandLine.Invocation;
 using System.CommandLine.Parsing;
+using Surefoot.Dats;
 using Surefoot.Tool.Commands;
 
 namespace Surefoot.Tool;
@@ -8,10 +9,20 @@ namespace Surefoot.Tool;
 /// <summary>The <c>surefoot</c> command. Exit codes: 0 done, 1 the thing asked for failed, 2 wrong usage.</summary>
 internal static class Program
 {
-    private static Task<int> Main(string[] args) => RunAsync(args);
+    /// <summary>Environment variable that lets a mistake of ours end with its stack.</summary>
+    private const string DebugVariable = "SUREFOOT_DEBUG";
+
+    /// <summary>How a mistake of ours begins.</summary>
+    internal const string Unexpected = "a mistake in the program";
+
+    private static bool Debugging => Environment.GetEnvironmentVariable(DebugVariable) == "1";
+
+    private static Task<int> Main(string[] args) => RunAsync(args, CancellationToken.None);
 
     /// <summary>Runs a command line.</summary>
-    internal static async Task<int> RunAsync(string[] args)
+    /// <param name="args">The words behind the command's name.</param>
+    /// <param name="cancellation">Ends a command that would go on.</param>
+    internal static async Task<int> RunAsync(string[] args, CancellationToken cancellation)
     {
         RootCommand root = new("Moves bodies through an Asheron's Call world exactly as the retail client did.\n\nExample:\n  surefoot play")
         {
@@ -27,16 +38,21 @@ internal static class Program
 
         try
         {
-            return await parsed.InvokeAsync(new InvocationConfiguration { EnableDefaultExceptionHandler = false }).ConfigureAwait(false);
+            return await parsed.InvokeAsync(new InvocationConfiguration { EnableDefaultExceptionHandler = false }, cancellation).ConfigureAwait(false);
         }
         catch (UsageException e)
         {
             await Console.Error.WriteLineAsync($"surefoot: {e.Message}").ConfigureAwait(false);
             return ExitCode.Usage;
         }
-        catch (Exception e) when (e is IOException or InvalidDataException or UnauthorizedAccessException or FormatException)
+        catch (Exception e) when (e is IOException or InvalidDataException or UnauthorizedAccessException or DatFormatException or DatRecordMissingException)
         {
             await Console.Error.WriteLineAsync($"surefoot: {e.Message}").ConfigureAwait(false);
+            return ExitCode.Failed;
+        }
+        catch (Exception e) when (!Debugging && e is not OperationCanceledException)
+        {
+            await Console.Error.WriteLineAsync($"surefoot: {Unexpected}: {e.GetType().Name}: {e.Message} Please report it; {DebugVariable}=1 shows where it happened.").ConfigureAwait(false);
             return ExitCode.Failed;
         }
     }

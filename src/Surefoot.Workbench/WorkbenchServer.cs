@@ -68,7 +68,7 @@ public sealed class WorkbenchServer : IAsyncDisposable
         if (options.Places is { Count: 0 }) throw new ArgumentException("There is no place to enter the world at.", nameof(options));
         ILogger logger = (options.LoggerFactory ?? NullLoggerFactory.Instance).CreateLogger<SimulatedWorld>();
         bool demo = options.DatFolder is null;
-        DatSet dats = DatSet.Open(options.DatFolder ?? DemoWorldCache.GetOrCreate());
+        DatSet dats = DatSet.Open(options.DatFolder ?? DemoWorldCache.GetOrCreate(notice: options.Notice));
         IReadOnlyList<WorkbenchPlace> places = options.Places ?? (demo ? KnownPlaces.Demo() : KnownPlaces.Retail());
         IWorkbenchWorld? world = null;
         try

@@ -38,6 +38,31 @@ public sealed class CacheTests : IDisposable
         Assert.Single(Directory.GetDirectories(DemoWorldCache.Root));
     }
 
+    [Fact, Behaviour("demo-world.cache.falls-back", "what a read-only or missing cache folder does")]
+    public void A_cache_that_cannot_be_written_to_is_replaced_by_a_temporary_folder_and_says_how_to_choose()
+    {
+        string blocked = Path.Combine(folder, "a-file");
+        File.WriteAllText(blocked, "in the way");
+        Environment.SetEnvironmentVariable(DemoWorldCache.FolderVariable, blocked);
+        List<string> said = [];
+        string world = DemoWorldCache.GetOrCreate(notice: said.Add);
+        Assert.StartsWith(Path.GetTempPath(), world);
+        using var dats = DatSet.Open(world);
+        Assert.Equal(101, dats.IdsOf(DatRecordType.LandBlock).Count());
+        Assert.Contains("SUREFOOT_CACHE", Assert.Single(said));
+        Assert.Contains(blocked, said[0]);
+    }
+
+    [Fact, Behaviour("demo-world.write.several-at-once", "three writers into one folder at the same time")]
+    public async Task Several_writers_into_one_folder_all_succeed()
+    {
+        string target = Path.Combine(folder, "shared");
+        await Task.WhenAll(Enumerable.Range(0, 3).Select(_ => Task.Run(() => DemoWorldBuilder.Write(target), TestContext.Current.CancellationToken)));
+        using var dats = DatSet.Open(target);
+        Assert.Equal(101, dats.IdsOf(DatRecordType.LandBlock).Count());
+        Assert.Equal(3, Directory.GetFiles(target).Length);
+    }
+
     [Fact, Behaviour("demo-world.cache.repairs-damage", "design.md, Two commands")]
     public void A_world_that_lost_a_file_is_written_again()
     {

@@ -16,6 +16,9 @@ internal sealed class WorldPlan
     // (spec 04, 4.5, sphere_intersects_solid_poly).
     private const double FeetAboveFloor = 0.005;
 
+    // On the very line between two squares of land a body may be said to be in either; places and spawns stand this far beside it.
+    private const double BesideEdge = 0.01;
+
     private readonly SortedDictionary<uint, BlockContent> blocks = [];
     private readonly ImmutableArray<NamedPlace>.Builder places = ImmutableArray.CreateBuilder<NamedPlace>();
     private readonly ImmutableArray<DemoSpawn>.Builder spawns = ImmutableArray.CreateBuilder<DemoSpawn>();
@@ -81,13 +84,16 @@ internal sealed class WorldPlan
     /// <summary>Adds a place outdoors with feet on the ground.</summary>
     public void AddPlace(string name, string title, double x, double y, double heading, string whatToTry)
     {
-        var ground = Terrain.GroundAt(x, y);
+        var ground = Terrain.GroundAt(OffEdge(x), OffEdge(y));
         places.Add(new(name, title, ground.CellId, ground.Position with { Z = ground.RestHeight }, (float)heading, whatToTry));
     }
 
     /// <summary>Adds a place outdoors on top of something; the spot has the height of its surface.</summary>
     public void AddPlaceOn(string name, string title, Spot spot, string whatToTry)
-        => places.Add(new(name, title, Terrain.GroundAt(spot.X, spot.Y).CellId, FeetOn(Localise(spot).Local), (float)spot.Heading, whatToTry));
+    {
+        spot = OffEdge(spot);
+        places.Add(new(name, title, Terrain.GroundAt(spot.X, spot.Y).CellId, FeetOn(Localise(spot).Local), (float)spot.Heading, whatToTry));
+    }
 
     /// <summary>Adds a place in a room; the spot lies on the floor. That of a place in the dungeon is in its block's coordinates.</summary>
     public void AddPlaceIn(uint cellId, string name, string title, Spot spot, string whatToTry)
@@ -98,7 +104,10 @@ internal sealed class WorldPlan
 
     /// <summary>Adds something to spawn outdoors.</summary>
     public void AddSpawn(string name, DemoSpawnKind kind, uint setup, Spot spot, double wanderRadius = 0)
-        => spawns.Add(new(name, kind, setup, Terrain.GroundAt(spot.X, spot.Y).CellId, Localise(spot).Local.ToVector(), (float)spot.Heading, (float)wanderRadius));
+    {
+        spot = OffEdge(spot);
+        spawns.Add(new(name, kind, setup, Terrain.GroundAt(spot.X, spot.Y).CellId, Localise(spot).Local.ToVector(), (float)spot.Heading, (float)wanderRadius));
+    }
 
     /// <summary>All records of the cell file.</summary>
     public IEnumerable<DatRecord> CellRecords()
@@ -119,6 +128,14 @@ internal sealed class WorldPlan
                 yield return cell;
         }
     }
+
+    private static double OffEdge(double metres)
+    {
+        double edge = Math.Round(metres / Landform.CellSide) * Landform.CellSide;
+        return Math.Abs(metres - edge) < BesideEdge ? edge + BesideEdge : metres;
+    }
+
+    private static Spot OffEdge(Spot spot) => spot with { X = OffEdge(spot.X), Y = OffEdge(spot.Y) };
 
     private static Vector3 FeetOn(Spot floor) => floor.At(0, 0, FeetAboveFloor).ToVector();
 

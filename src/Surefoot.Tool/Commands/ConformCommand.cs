@@ -72,7 +72,7 @@ internal static class ConformCommand
         foreach ((string name, SceneScore reseated, SceneScore free) in report.Scenes)
             table.AddRow(name.EscapeMarkup(), $"{reseated.Cases}", $"{reseated.Steps}", Share(reseated.StepsEqual, reseated.Steps), Share(free.CasesEqual, free.Cases));
         table.AddRow("all", $"{report.Reseated.Cases}", $"{report.Reseated.Steps}", Share(report.Reseated.StepsEqual, report.Reseated.Steps), Share(report.FreeRunning.CasesEqual, report.FreeRunning.Cases));
-        if (report.Reseated.Cases > 0) AnsiConsole.Write(table);
+        if (report.Reseated.Cases > 0) Terminal.Write(table);
         foreach ((string family, OracleScore score) in report.Oracle)
             Console.Out.WriteLine($"{family}: {score.ResultsEqual} of {score.Results} results equal ({Share(score.ResultsEqual, score.Results)}); of {score.Listed} listed as departures {score.ListedDiffering} differ{Reasons(score)}");
         foreach (Divergence d in report.Divergences.Take(worst)) Console.Out.WriteLine($"{d.CaseId} {d.Scene} step {d.Step}: {d.Difference}: {d.Detail}");

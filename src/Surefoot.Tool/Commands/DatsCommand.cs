@@ -23,18 +23,23 @@ internal static class DatsCommand
     private static Command CreateList()
     {
         Argument<DirectoryInfo> folder = FolderArgument();
-        Option<DatRecordType?> type = new("--type") { Description = "Only records of this kind, each on a line." };
+        Option<string?> type = new("--type") { Description = "Only records of this kind, each on a line; for example Setup or EnvCell." };
         Option<bool> json = new("--json") { Description = "Print one JSON object." };
         Command command = new("list", "Lists the kinds of records in the files, or the records of one kind.\n\nExample:\n  surefoot dats list DIR --type Setup") { folder, type, json };
         command.SetAction(parsed =>
         {
+            DatRecordType? wanted = parsed.GetValue(type) is { } name ? ParseType(name) : null;
             using DatSet set = DatSet.Open(parsed.GetRequiredValue(folder).FullName);
-            if (parsed.GetValue(type) is { } kind) ListRecords(set, kind, parsed.GetValue(json));
+            if (wanted is { } kind) ListRecords(set, kind, parsed.GetValue(json));
             else ListKinds(set, parsed.GetValue(json));
             return ExitCode.Done;
         });
         return command;
     }
+
+    private static DatRecordType ParseType(string name) => Enum.TryParse(name, ignoreCase: true, out DatRecordType type) && Enum.IsDefined(type)
+        ? type
+        : throw new UsageException($"--type '{name}': there is no such kind of record. Kinds are {string.Join(", ", Enum.GetNames<DatRecordType>().Order(StringComparer.Ordinal))}.");
 
     private static void ListKinds(DatSet set, bool json)
     {
@@ -57,12 +62,13 @@ internal static class DatsCommand
         foreach (string heading in (string[])["file", "kind", "records", "bytes", "first", "last"]) table.AddColumn(heading);
         table.Columns[2].Alignment = table.Columns[3].Alignment = Justify.Right;
         foreach (var k in kinds) table.AddRow(k.File, k.Kind, Number(k.Records), Number(k.Bytes), k.First, k.Last);
-        AnsiConsole.Write(table);
+        Terminal.Write(table);
     }
 
     private static void ListRecords(DatSet set, DatRecordType kind, bool json)
     {
         var records = set.Files.SelectMany(file => file.IdsOf(kind).Select(id => new { Id = $"{id:X8}", Bytes = file.TryGetEntry(id, out DatEntry entry) ? entry.Size : 0 })).ToList();
+        if (records.Count == 0) Console.Error.WriteLine($"surefoot: {set.Folder} has no record of the kind {kind}.");
         if (json) Console.Out.WriteLine(JsonSerializer.Serialize(new { Kind = kind.ToString(), Records = records }, Json));
         else foreach (var r in records) Console.Out.WriteLine(FormattableString.Invariant($"{r.Id} {r.Bytes,8}"));
     }

@@ -1,4 +1,5 @@
 using System.CommandLine;
+using System.Text.Json;
 using Surefoot.DemoWorld;
 using Surefoot.Tool.Output;
 
@@ -7,6 +8,8 @@ namespace Surefoot.Tool.Commands;
 /// <summary><c>surefoot demo</c>: the demo world as dat files, and as a map.</summary>
 internal static class DemoCommand
 {
+    private static readonly JsonSerializerOptions Json = new() { WriteIndented = true, PropertyNamingPolicy = JsonNamingPolicy.CamelCase };
+
     internal static Command Create() => new("demo", "Makes the demo world.\n\nExample:\n  surefoot demo write ./demo-world") { CreateWrite(), CreateMap(), CreatePlaces() };
 
     private static Option<uint> SeedOption() => new("--seed") { Description = "Chooses the landscape.", DefaultValueFactory = _ => DemoWorldBuilder.DefaultSeed };
@@ -44,14 +47,31 @@ internal static class DemoCommand
 
     private static Command CreatePlaces()
     {
-        Command command = new("places", "Lists the named places of the demo world.\n\nExample:\n  surefoot demo places");
-        command.SetAction(_ =>
+        Option<bool> json = new("--json") { Description = "Print one JSON object." };
+        Command command = new("places", "Lists the named places of the demo world.\n\nExample:\n  surefoot demo places --json") { json };
+        command.SetAction(parsed =>
         {
+            if (parsed.GetValue(json))
+            {
+                Console.Out.WriteLine(JsonSerializer.Serialize(new { Places = DemoPlaces.All.Select(ToJson) }, Json));
+                return ExitCode.Done;
+            }
+
             foreach (NamedPlace place in DemoPlaces.All) Console.Out.WriteLine($"{place.Name,-24} 0x{place.CellId:X8}  {place.WhatToTry}");
             return ExitCode.Done;
         });
         return command;
     }
+
+    private static object ToJson(NamedPlace place) => new
+    {
+        place.Name,
+        place.Title,
+        Cell = $"{place.CellId:X8}",
+        Position = (float[])[place.Origin.X, place.Origin.Y, place.Origin.Z],
+        place.Heading,
+        place.WhatToTry,
+    };
 
     /// <summary>Reports on the caller's thread.</summary>
     private sealed class Reporter(Action<DemoWorldProgress> report) : IProgress<DemoWorldProgress>

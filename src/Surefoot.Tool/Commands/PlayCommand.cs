@@ -23,7 +23,7 @@ internal static class PlayCommand
             if (wanted is < 0 or > ushort.MaxValue)
                 throw new UsageException(string.Create(CultureInfo.InvariantCulture, $"--port {wanted} is out of range: it is between 0 and 65535, for example --port 5150."));
             WorkbenchServer server = await WorkbenchServer.StartAsync(
-                new WorkbenchOptions { Port = wanted, DatFolder = parsed.GetValue(dats)?.FullName }, cancellation).ConfigureAwait(false);
+                new WorkbenchOptions { Port = wanted, DatFolder = parsed.GetValue(dats)?.FullName, Notice = CommonOptions.Say }, cancellation).ConfigureAwait(false);
             await using (server.ConfigureAwait(false))
             {
                 if (wanted != 0 && server.Address.Port != wanted) Console.Out.WriteLine($"Port {wanted} is taken; using {server.Address.Port}.");

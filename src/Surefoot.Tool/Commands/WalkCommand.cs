@@ -23,13 +23,14 @@ internal static class WalkCommand
         Option<double> latency = new("--latency") { Description = "Milliseconds until the server answers.", DefaultValueFactory = _ => 0 };
         Option<string> script = new("--script") { Description = "Keys and seconds: W A S D Q E Shift Space Wait, joined by + and separated by ;", Required = true };
         Option<bool> json = new("--json") { Description = "Print one JSON object." };
+        Option<bool> csv = new("--csv") { Description = "Print every quantum as comma-separated values." };
         Option<FileInfo?> html = new("--html") { Description = "Write a self-contained picture of the path from above and in profile." };
         Option<DirectoryInfo?> dats = CommonOptions.Dats();
         Command command = new(
             "walk",
             $"Walks a script and prints where the body was.\n\nExample:\n  surefoot walk --at meadow --run 300 --jump 250 --script \"{WalkScript.Example}\" --html walk.html")
         {
-            at, run, jump, burden, latency, script, json, html, dats,
+            at, run, jump, burden, latency, script, json, csv, html, dats,
         };
         command.SetAction(parsed =>
         {
@@ -38,16 +39,18 @@ internal static class WalkCommand
             string text = parsed.GetRequiredValue(script);
             IReadOnlyList<WalkLeg> legs = ParseScript(text);
             double seconds = parsed.GetRequiredValue(latency) / 1000;
+            if (parsed.GetValue(json) && parsed.GetValue(csv)) throw new UsageException("--json and --csv are two forms of the same: give one of them.");
             if (!(seconds is >= 0 and <= 60)) throw new UsageException("--latency is between 0 and 60000 milliseconds, for example --latency 120.");
             using WalkScene scene = WalkScene.Open(parsed.GetValue(dats));
             WalkResult walk = WalkRunner.Run(scene, scene.FindPlace(parsed.GetRequiredValue(at)), stats, legs, text, seconds);
             if (parsed.GetValue(html) is { } file)
             {
                 File.WriteAllText(file.FullName, WalkPicture.Render(walk, scene.GroundHeight));
-                if (!parsed.GetValue(json)) AnsiConsole.MarkupLineInterpolated($"Picture written to {file.FullName}");
+                if (!parsed.GetValue(json) && !parsed.GetValue(csv)) Console.Out.WriteLine($"Picture written to {file.FullName}");
             }
 
             if (parsed.GetValue(json)) Console.Out.WriteLine(JsonSerializer.Serialize(ToJson(walk), Json));
+            else if (parsed.GetValue(csv)) PrintCsv(walk);
             else PrintTable(walk);
             return ExitCode.Done;
         });
@@ -88,13 +91,23 @@ internal static class WalkCommand
             next = s.Time + 0.25;
             table.AddRow(
                 Text(s.Time, "0.00"), $"{s.CellId:X8}", Text(s.Local.X, "0.000"), Text(s.Local.Y, "0.000"), Text(s.Local.Z, "0.000"),
-                Text(s.Heading, "0.0"), Text(s.Speed, "0.00"), s.OnWalkable ? "ground" : s.HasContact ? "slope" : "air");
+                Text(s.Heading, "0.0"), Text(s.Speed, "0.00"), Footing(s));
         }
 
-        AnsiConsole.Write(table);
+        Terminal.Write(table);
         foreach (WalkEvent e in walk.Events) Console.Out.WriteLine($"{Text(e.Time, "0.000"),8} s  {e.What}");
-        Console.Out.WriteLine(FormattableString.Invariant($"{walk.Distance:0.00} m over ground in {walk.Samples[^1].Time:0.00} s, top speed {walk.TopSpeed:0.00} m/s"));
+        Console.Out.WriteLine(FormattableString.Invariant($"{walk.Distance:0.00} m over ground in {walk.Samples[^1].Time:0.00} s, mean speed {walk.MeanSpeed:0.00} m/s, top speed {walk.TopSpeed:0.00} m/s"));
     }
+
+    /// <summary>Every quantum, metres in the landblock, m/s over ground, degrees; numbers that give the same single-precision value again.</summary>
+    private static void PrintCsv(WalkResult walk)
+    {
+        Console.Out.WriteLine("time,cell,x,y,z,heading,speed,footing,charge");
+        foreach (WalkSample s in walk.Samples)
+            Console.Out.WriteLine(FormattableString.Invariant($"{s.Time:0.####},{s.CellId:X8},{s.Local.X:R},{s.Local.Y:R},{s.Local.Z:R},{s.Heading:0.####},{s.Speed:0.#####},{Footing(s)},{s.Charge:0.####}"));
+    }
+
+    private static string Footing(WalkSample s) => s.OnWalkable ? "ground" : s.HasContact ? "slope" : "air";
 
     private static string Text(double value, string format) => value.ToString(format, CultureInfo.InvariantCulture);
 
@@ -105,6 +118,7 @@ internal static class WalkCommand
         walk.RunSkill,
         walk.JumpSkill,
         walk.Distance,
+        walk.MeanSpeed,
         walk.TopSpeed,
         Samples = walk.Samples.Select(s => new
         {

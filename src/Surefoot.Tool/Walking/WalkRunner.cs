@@ -42,6 +42,7 @@ internal sealed class WalkRunner : IMovementSink
         LocalPlayer player = LocalPlayer.Spawn(
             engine, WalkScene.PlayerId, scene.PlayerSetup, scene.PlayerMotions, place.Position, stats, new LocalPlayerOptions { Latency = latency, Observer = this })
             ?? throw new UsageException($"There is no room for a body at {place.Name}.");
+        if (!player.Body.HasCell) throw new UsageException($"{place.Name} is in no room: the metres lie outside the rooms around 0x{place.Position.CellId:X8}.");
         engine.Player = player.Body;
 
         double now = 1.0;

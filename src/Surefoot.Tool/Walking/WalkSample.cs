@@ -46,6 +46,9 @@ internal sealed record WalkResult(
         }
     }
 
+    /// <summary>Way over ground divided by time, m/s.</summary>
+    internal double MeanSpeed => Samples[^1].Time > 0 ? Distance / Samples[^1].Time : 0;
+
     /// <summary>Highest speed, m/s.</summary>
     internal double TopSpeed => Samples.Max(s => s.Speed);
 }

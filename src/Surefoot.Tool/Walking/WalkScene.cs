@@ -6,6 +6,7 @@ using Surefoot.Physics.Assets;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.World;
+using Surefoot.Tool.Commands;
 
 namespace Surefoot.Tool.Walking;
 
@@ -47,7 +48,7 @@ internal sealed class WalkScene : IDisposable
 
     /// <summary>Opens a folder, or the demo world without one.</summary>
     internal static WalkScene Open(DirectoryInfo? folder) =>
-        new(DatSet.Open(folder?.FullName ?? DemoWorldCache.GetOrCreate()), folder is null);
+        new(DatSet.Open(folder?.FullName ?? DemoWorldCache.GetOrCreate(notice: CommonOptions.Say)), folder is null);
 
     /// <summary>Opens a folder and loads every landblock there is.</summary>
     internal static WalkScene OpenWhole(DirectoryInfo folder)
@@ -66,15 +67,29 @@ internal sealed class WalkScene : IDisposable
         World.EnsureLoadedAround(position, LoadRadius);
     }
 
-    /// <summary>Finds a named place of the demo world, or reads <c>0xCELL,x,y,z[,heading]</c>.</summary>
+    /// <summary>Finds a named place of the demo world, or reads <c>0xCELL,x,y,z[,heading]</c>, and loads what is around it.</summary>
     /// <exception cref="UsageException">There is no such place.</exception>
     internal ScenePlace FindPlace(string text)
     {
-        if (text.StartsWith("0x", StringComparison.OrdinalIgnoreCase)) return ParsePlace(text);
+        if (text.StartsWith("0x", StringComparison.OrdinalIgnoreCase)) return Existing(ParsePlace(text));
         if (!isDemo) throw new UsageException($"--at '{text}': named places belong to the demo world; with --dats give a cell and metres, for example --at 0xA9B40001,12,12,0.");
         if (!DemoPlaces.TryFind(text, out NamedPlace place))
             throw new UsageException($"--at '{text}': there is no such place. Did you mean {string.Join(", ", DemoPlaces.Resembling(text))}? 'surefoot demo places' lists them all.");
         return new ScenePlace(place.Name, new Position(place.CellId, new Frame(place.Origin, place.Orientation)));
+    }
+
+    /// <summary>The place, with its cell put right for its metres, if these files have such a cell.</summary>
+    private ScenePlace Existing(ScenePlace place)
+    {
+        Position position = place.Position;
+        Follow(position);
+        uint asked = position.CellId;
+        string where = CellIds.IsOutdoor(asked) ? "that land" : "that room";
+        if (CellIds.IsOutdoor(asked) && !position.AdjustToOutside())
+            throw new UsageException($"--at '{place.Name}' is outside the map, which ends at landblock FEFE.");
+        if (World.GetVisible(position.CellId) is null)
+            throw new UsageException($"--at '{place.Name}': {dats.Folder} has no cell 0x{position.CellId:X8}; {where} does not exist there. 'surefoot dats list' shows what does.");
+        return place with { Position = position };
     }
 
     /// <summary>Height of the loaded terrain at a place of the map, metres.</summary>
@@ -98,6 +113,7 @@ internal sealed class WalkScene : IDisposable
             good = float.TryParse(parts[i], NumberStyles.Float, CultureInfo.InvariantCulture, out numbers[i - 1]) && float.IsFinite(numbers[i - 1]);
         if (!good) throw new UsageException($"--at '{text}' is not a cell and metres: for example --at 0xA9B40001,12,12,0 or with a heading in degrees 0xA9B40001,12,12,0,90.");
         uint cell = uint.Parse(parts[0].AsSpan(2), NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture);
+        if ((cell & 0xFFFF) >= 0xFFFE) throw new UsageException($"--at '{text}': 0x{cell:X8} is the id of a landblock's record, not of a cell: give one of its cells, for example 0x{(cell & 0xFFFF0000) | 1:X8}.");
         if (!CellIds.HasValidIndex(cell)) throw new UsageException($"--at '{text}': 0x{cell:X8} cannot name a cell: its low half is 0001 to 0040 outdoors, 0100 to FFFD indoors.");
         Frame frame = new(new Vector3(numbers[0], numbers[1], numbers[2]), Quaternion.Identity);
         if (numbers.Length == 4) frame.SetHeading(numbers[3]);

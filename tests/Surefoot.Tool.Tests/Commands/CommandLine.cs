@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using System.Globalization;
 
 namespace Surefoot.Tool.Tests.Commands;
 
@@ -8,13 +9,17 @@ internal static class CommandLine
     /// <summary>What a run left behind.</summary>
     internal sealed record Outcome(int ExitCode, string Output, string Error);
 
-    internal static async Task<Outcome> RunAsync(params string[] arguments)
+    internal static Task<Outcome> RunAsync(params string[] arguments) => RunAsync(columns: 160, arguments);
+
+    /// <summary>Runs the command with the environment variable COLUMNS set, or not.</summary>
+    internal static async Task<Outcome> RunAsync(int? columns, params string[] arguments)
     {
         ProcessStartInfo start = new("dotnet") { RedirectStandardOutput = true, RedirectStandardError = true };
         start.ArgumentList.Add("exec");
         start.ArgumentList.Add(Path.Combine(AppContext.BaseDirectory, "surefoot.dll"));
         foreach (string argument in arguments) start.ArgumentList.Add(argument);
-        start.Environment["COLUMNS"] = "160";
+        if (columns is { } width) start.Environment["COLUMNS"] = width.ToString(CultureInfo.InvariantCulture);
+        else start.Environment.Remove("COLUMNS");
         using Process process = Process.Start(start)!;
         Task<string> output = process.StandardOutput.ReadToEndAsync(), error = process.StandardError.ReadToEndAsync();
         await process.WaitForExitAsync();

@@ -1,4 +1,7 @@
 using System.Text.Json;
+using Surefoot.DemoWorld;
+using Surefoot.Physics.Motion;
+using Surefoot.Tool.Walking;
 
 namespace Surefoot.Tool.Tests.Commands;
 
@@ -31,6 +34,12 @@ public class CommandTests
     [InlineData("walk", "--script", "W 1", "--at", "medow", "meadow")]
     [InlineData("walk", "--script", "W 1", "--run", "-5", "--run 300")]
     [InlineData("walk", "--script", "W 1", "--jump", "99999", "--jump 300")]
+    [InlineData("walk", "--script", "W 1", "--at", "0xA9B4FFFF,12,12,0", "0xA9B40001")]
+    [InlineData("walk", "--script", "W 1", "--at", "0xFEFE0001,999,12,0", "outside the map")]
+    [InlineData("walk", "--script", "W 1", "--at", "0x01230001,12,12,0", "has no cell 0x01230001")]
+    [InlineData("walk", "--script", "W 1", "--at", "0xA9B403FF,12,12,0", "has no cell 0xA9B403FF")]
+    [InlineData("walk", "--script", "W 1", "--json", "--csv", "one of them")]
+    [InlineData("dats", "list", ".", "--type", "Sandwich", "Setup")]
     [InlineData("walk", "script")]
     [InlineData("play", "--port", "99999", "65535")]
     [InlineData("fly", "fly")]
@@ -115,6 +124,52 @@ public class CommandTests
         string[] events = [.. walk.RootElement.GetProperty("events").EnumerateArray().Select(e => e.GetProperty("what").GetString()!)];
         Assert.Contains(events, e => e.StartsWith("sends Jump: extent 1.000, velocity (0.00, 0.00, 9.09)", StringComparison.Ordinal));
         Assert.Contains("leaves the ground", events);
+    }
+
+    [Fact, Behaviour("tool.walk.csv", "design.md, The tool")]
+    public async Task Every_quantum_is_a_line_of_comma_separated_values()
+    {
+        CommandLine.Outcome run = await CommandLine.RunAsync("walk", "--at", "meadow", "--script", "W 1", "--csv");
+        string[] lines = run.Output.Split('\n', StringSplitOptions.RemoveEmptyEntries);
+        Assert.Equal("time,cell,x,y,z,heading,speed,footing,charge", lines[0]);
+        Assert.All(lines, line => Assert.Equal(8, line.Count(c => c == ',')));
+        Assert.InRange(lines.Length, 20, 32);
+    }
+
+    [Fact, Behaviour("tool.walk.tells-the-mean-speed", "design.md, The tool")]
+    public async Task The_mean_speed_is_the_way_over_ground_divided_by_the_time()
+    {
+        using JsonDocument walk = await WalkAsync("--at", "runway", "--run", "300", "--script", "W 2; Wait 2");
+        JsonElement root = walk.RootElement;
+        double seconds = root.GetProperty("samples")[root.GetProperty("samples").GetArrayLength() - 1].GetProperty("time").GetDouble();
+        Assert.Equal(root.GetProperty("distance").GetDouble() / seconds, root.GetProperty("meanSpeed").GetDouble(), 9);
+        Assert.True(root.GetProperty("meanSpeed").GetDouble() < root.GetProperty("topSpeed").GetDouble());
+    }
+
+    [Fact, Behaviour("tool.output.fits-a-pipe", "design.md, The tool")]
+    public async Task A_table_without_a_terminal_has_a_row_a_line_unless_a_width_is_asked_for()
+    {
+        CommandLine.Outcome piped = await CommandLine.RunAsync(columns: null, "walk", "--at", "meadow", "--script", "W 1");
+        Assert.Contains(piped.Output.Split('\n'), line => line.Contains("ground", StringComparison.Ordinal) && line.Contains("A9B5", StringComparison.Ordinal));
+        CommandLine.Outcome narrow = await CommandLine.RunAsync(columns: 40, "walk", "--at", "meadow", "--script", "W 1");
+        string[] rows = narrow.Output.Split('\n')[..^6];
+        Assert.All(rows.TakeWhile(line => !line.Contains(" s  ", StringComparison.Ordinal)), line => Assert.True(line.Length <= 40, line));
+    }
+
+    [Fact, Behaviour("tool.places.one-cell", "a place on a cell's edge has one cell id everywhere")]
+    public async Task Whoever_stands_at_a_named_place_is_in_the_cell_that_the_list_names()
+    {
+        CommandLine.Outcome run = await CommandLine.RunAsync("demo", "places", "--json");
+        using JsonDocument list = JsonDocument.Parse(run.Output);
+        using WalkScene scene = WalkScene.Open(null);
+        Assert.Equal(DemoPlaces.All.Length, list.RootElement.GetProperty("places").GetArrayLength());
+        foreach (JsonElement place in list.RootElement.GetProperty("places").EnumerateArray())
+        {
+            string name = place.GetProperty("name").GetString()!, cell = place.GetProperty("cell").GetString()!;
+            WalkResult stand = WalkRunner.Run(scene, scene.FindPlace(name), new CharacterStats(), WalkScript.Parse("Wait 0.1"), "Wait 0.1", 0);
+            Assert.Equal($"{name} {cell}", $"{name} {stand.Samples[0].CellId:X8}");
+            Assert.Equal(scene.FindPlace(name).Position, scene.FindPlace(place.GetProperty("title").GetString()!).Position);
+        }
     }
 
     [Fact, Behaviour("tool.walk.draws-a-picture", "design.md, The tool")]

@@ -1,0 +1,140 @@
+using Surefoot.DemoWorld;
+using Surefoot.Tool.Conformance;
+
+namespace Surefoot.Tool.Tests.Commands;
+
+/// <summary>Every command, given wrong words and damaged files: a sentence and an exit code, never a stack trace.</summary>
+[Collection(ConsoleCollection.Name)]
+public sealed class MutatedInputTests : IDisposable
+{
+    private const int Inputs = 500;
+    private readonly DirectoryInfo folder = Directory.CreateTempSubdirectory("surefoot-mutated");
+    private readonly string before = Environment.CurrentDirectory;
+
+    // Words in the place of a folder's name are folders here.
+    public MutatedInputTests() => Environment.CurrentDirectory = folder.FullName;
+
+    public void Dispose()
+    {
+        Environment.CurrentDirectory = before;
+        folder.Delete(recursive: true);
+    }
+
+    [Theory, Behaviour("tool.input.never-a-stack-trace", "design.md, decision 7")]
+    [InlineData("walk")]
+    [InlineData("play")]
+    [InlineData("dats list")]
+    [InlineData("dats show")]
+    [InlineData("dats verify")]
+    [InlineData("demo write")]
+    [InlineData("demo map")]
+    [InlineData("demo places")]
+    public async Task Damaged_files_and_wrong_words_end_in_a_sentence(string command)
+    {
+        Mutations mutations = new(command, folder);
+        for (int i = 0; i < Inputs; i++)
+        {
+            string[] arguments = mutations.Next(i);
+            string shown = $"input {i}: surefoot {string.Join(' ', arguments)}";
+            CommandLine.Outcome run = default!;
+            Exception? thrown = await Record.ExceptionAsync(async () => run = await InProcess.RunAsync(arguments));
+            Assert.True(thrown is null, $"{shown}\n{thrown}");
+            Assert.True(run.ExitCode is >= 0 and <= 2, shown);
+            Assert.False(run.Error.Contains(Program.Unexpected, StringComparison.Ordinal), $"{shown}\n{run.Error}");
+            if (run.ExitCode == 2) Assert.True(run.Error.Length > 0, shown);
+        }
+    }
+}
+
+/// <summary>Command lines that are nearly right, over files that are nearly right; the same for the same numbers.</summary>
+internal sealed class Mutations
+{
+    private static readonly string[] Words =
+    [
+        "", " ", "--", "-1", "0", "1e30", "NaN", "99999999999", "0x", "0xA9B4FFFF,1,1,1", "0xFFFFFFFF,0,0,0", "0x01050100,0,0,0", "0xA9B40001,1e9,12,0", "0xA9B40001,NaN,0,0",
+        "0xA9B40001,,,", "meadow", "dungeon", "W", "W 1;", "W+ 1", ";;", "W -1", "W 1e400", "Space 0.1", "Ünïcode", "[red]", "{0}", "%s", "/dev/null", "--help", "--json",
+    ];
+
+    private readonly string command;
+    private readonly DirectoryInfo folder;
+    private readonly string world;
+    private readonly string vectors;
+    private readonly (string Path, byte[] Bytes)[] sources;
+
+    internal Mutations(string command, DirectoryInfo folder)
+    {
+        this.command = command;
+        this.folder = folder;
+        world = Path.Combine(folder.FullName, "world");
+        vectors = Path.Combine(folder.FullName, "cases.jsonl");
+        if (command == "conform")
+        {
+            string[] lines = [.. VectorFiles().Select(f => VectorFile.Read(f, line => line).First())];
+            File.WriteAllLines(vectors, lines);
+            world = Repository.PathOf("tests", "data", "worlds", "first");
+            sources = [(vectors, File.ReadAllBytes(vectors))];
+        }
+        else
+        {
+            DemoWorldBuilder.Write(world);
+            sources = [.. Directory.GetFiles(world).Order(StringComparer.Ordinal).Select(path => (path, File.ReadAllBytes(path)))];
+        }
+    }
+
+    /// <summary>The next command line; the files it reads are damaged now.</summary>
+    internal string[] Next(int index)
+    {
+        Random random = new(index);
+        if (random.Next(3) > 0) Damage(random);
+        List<string> words = [.. command.Split(' '), .. Arguments(random)];
+        // Every second command line is wrong in a word.
+        if (random.Next(2) == 0)
+        {
+            int at = random.Next(1, words.Count + 1);
+            string word = Words[random.Next(Words.Length)];
+            switch (random.Next(3))
+            {
+                case 0: words.Insert(at, word); break;
+                case 1 when at < words.Count: words[at] = word; break;
+                default: words.RemoveAt(Math.Min(at, words.Count - 1)); break;
+            }
+        }
+
+        if (command == "play") words.AddRange(["--no-browser", "--port", "0"]);
+        return [.. words];
+    }
+
+    private string[] Arguments(Random random) => command switch
+    {
+        "walk" => ["--script", random.Next(2) == 0 ? "W 0.2" : "W+Space 0.1; Wait 0.1", "--at", Place(random), "--dats", world, "--run", $"{random.Next(900)}"],
+        "play" => ["--dats", world],
+        "dats list" => random.Next(2) == 0 ? [world] : [world, "--type", "Setup"],
+        "dats show" => [world, $"{(uint)random.NextInt64(uint.MaxValue):X8}"],
+        "dats verify" => [world, "--json"],
+        "demo write" => [Path.Combine(folder.FullName, "out"), "--seed", $"{random.Next(3)}"],
+        "demo map" => [Path.Combine(folder.FullName, "map.svg")],
+        "demo places" => ["--json"],
+        _ => ["--dats", world, vectors],
+    };
+
+    private static string Place(Random random) => random.Next(3) switch
+    {
+        0 => $"0xA9B500{random.Next(1, 65):X2},{random.Next(192)},{random.Next(192)},{random.Next(100)}",
+        1 => $"0x{random.Next(256):X2}{random.Next(256):X2}{random.Next(65536):X4},12,12,0",
+        _ => "0xA9B50032,150,30,20,90",
+    };
+
+    private void Damage(Random random)
+    {
+        (string path, byte[] whole) = sources[random.Next(sources.Length)];
+        foreach ((string other, byte[] bytes) in sources) if (other != path) File.WriteAllBytes(other, bytes);
+        byte[] damaged = (byte[])whole.Clone();
+        for (int i = random.Next(1, 30); i > 0 && damaged.Length > 0; i--) damaged[random.Next(damaged.Length)] = (byte)random.Next(path == vectors ? 128 : 256);
+        if (random.Next(8) == 0) damaged = damaged[..random.Next(damaged.Length)];
+        File.WriteAllBytes(path, damaged);
+    }
+
+    private static IEnumerable<string> VectorFiles() =>
+        Directory.GetFiles(Repository.PathOf("tests", "data"), "*.jsonl.gz", SearchOption.AllDirectories)
+            .Where(path => !Path.GetFileName(path).StartsWith("departures", StringComparison.Ordinal)).Order(StringComparer.Ordinal);
+}
