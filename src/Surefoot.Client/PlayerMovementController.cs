@@ -4,24 +4,20 @@ using Surefoot.Physics.Motion;
 namespace Surefoot.Client;
 
 /// <summary>
-/// Turns keys and time into motions of the player's body, and into what a client tells its server. Called once a frame, before the world is advanced; it
-/// reads no clock and owns nothing global.
+/// Turns keys, pointer and time into motions of the player's body, and into what a client tells its server. Called once a frame, before the world is advanced;
+/// it reads no clock and owns nothing global.
 /// </summary>
-/// <remarks>Retail: CommandInterpreter, and the jump of ClientCombatSystem; specification 01, 4.12 and 4.15, and 08, 5.6.</remarks>
+/// <remarks>Retail: the input side of the client; specification 01, 4.12 and 4.15, 08, 5.6 and 09b, 9 and 10.</remarks>
 public sealed class PlayerMovementController : IServerMessageHandler
 {
-    private const MovementKeys DirectionKeys = MovementKeys.Forward | MovementKeys.Back | MovementKeys.TurnLeft | MovementKeys.TurnRight |
-                                               MovementKeys.SidestepLeft | MovementKeys.SidestepRight;
+    /// <summary>The pointer rests when nothing has come in for this long, seconds.</summary>
+    private const double RestTime = 0.2;
 
     private readonly MovementManager movement;
-    private readonly IMotionBody body;
-    private readonly IMovementSink sink;
-    private readonly HeldCommands substates = new();
-    private readonly HeldCommands sidesteps = new();
-    private readonly HeldCommands turns = new();
+    private readonly JumpKey jump;
+    private readonly CommandInterpreter commands;
     private MovementKeys held;
-    private JumpCharge charge;
-    private PositionReport report;
+    private double lastInput = double.NegativeInfinity;
 
     /// <summary>A controller of a body.</summary>
     /// <param name="body">The body.</param>
@@ -34,35 +30,45 @@ public sealed class PlayerMovementController : IServerMessageHandler
         ArgumentNullException.ThrowIfNull(movement);
         ArgumentNullException.ThrowIfNull(sink);
         ThrowIfNotFinite(now);
-        this.body = body;
         this.movement = movement;
-        this.sink = sink;
-        report = new PositionReport(now);
+        MovementSender sender = new(body, movement, sink, now);
+        jump = new JumpKey(movement, sender);
+        commands = new CommandInterpreter(body, movement, sender, jump);
     }
 
-    /// <summary>Forward runs and <see cref="MovementKeys.Walk"/> walks; or, when false, the other way round. Acts at the next <see cref="Update"/>.</summary>
-    public bool RunAsDefault { get; set; } = true;
+    /// <summary>
+    /// Forward runs and <see cref="MovementKeys.Walk"/> walks; or, when false, the other way round. A change acts at once, as if the walk key were not held.
+    /// </summary>
+    public bool RunAsDefault
+    {
+        get => commands.RunAsDefault;
+        set => commands.RunAsDefault = value;
+    }
 
-    /// <summary>Runs ahead without a key. Ended by the keys for ahead and back and when a server takes over.</summary>
-    public bool AutoRun { get; private set; }
+    /// <summary>Runs ahead without a key. Ended by the keys for ahead and back, by postures and actions, and when a server takes over.</summary>
+    public bool AutoRun => commands.AutoRun;
 
-    /// <summary>A server moves the body; the next key takes control back.</summary>
-    public bool IsControlledByServer { get; private set; } = true;
+    /// <summary>A server moves the body; the next key takes control back, and so do keys held when the server's order is done.</summary>
+    public bool IsControlledByServer => commands.IsControlledByServer;
+
+    /// <summary>Keys act; see <see cref="Disable"/>.</summary>
+    public bool IsEnabled => commands.IsEnabled;
 
     /// <summary>The jump key is held and charges a jump.</summary>
-    public bool IsChargingJump => charge.IsPending;
+    public bool IsChargingJump => jump.IsPending;
 
     /// <summary>Why the last jump was refused; none when it was not.</summary>
-    public MotionError LastRefusal { get; private set; }
+    public MotionError LastRefusal => jump.LastRefusal;
+
+    /// <summary>The pointer turns the player while its right button is held; off at first.</summary>
+    public bool UsesMouseTurning => commands.UsesMouse;
+
+    /// <summary>How much it turns the player.</summary>
+    public MouseTurning MouseTurning { get; } = new();
 
     /// <summary>Charge of the jump under way, 0 to 1; 0 without one.</summary>
     /// <param name="now">Seconds.</param>
-    public float JumpLevel(double now) => charge.Level(now, Interpreter.Interpreted.CurrentStyle);
-
-    private MotionInterpreter Interpreter => movement.Interpreter;
-
-    private bool StandsStill => Interpreter.Raw is
-    { ForwardCommand: MotionCommand.Ready, SidestepCommand: MotionCommand.None, TurnCommand: MotionCommand.None };
+    public float JumpLevel(double now) => jump.Level(now);
 
     /// <summary>A frame of input.</summary>
     /// <param name="keys">Keys held now. Unknown bits are ignored.</param>
@@ -73,59 +79,101 @@ public sealed class PlayerMovementController : IServerMessageHandler
         ThrowIfNotFinite(now);
         MovementKeys changed = keys ^ held;
         held = keys;
-
-        HandleHoldRun(now);
-        HandleHoldSidestep(changed, now);
-        HandleKey(changed, MovementKeys.Forward, substates, MotionCommand.WalkForward, now);
-        HandleKey(changed, MovementKeys.Back, substates, MotionCommand.WalkBackwards, now);
-        HandleKey(changed, MovementKeys.SidestepLeft, sidesteps, MotionCommand.SideStepLeft, now);
-        HandleKey(changed, MovementKeys.SidestepRight, sidesteps, MotionCommand.SideStepRight, now);
-        HandleTurnKey(changed, MovementKeys.TurnLeft, MotionCommand.TurnLeft, MotionCommand.SideStepLeft, now);
-        HandleTurnKey(changed, MovementKeys.TurnRight, MotionCommand.TurnRight, MotionCommand.SideStepRight, now);
-        if ((changed & MovementKeys.Jump) != 0)
+        if (changed != MovementKeys.None) HandleKeys(changed, now);
+        if (commands.IsLooking && now - lastInput > RestTime)
         {
-            if ((keys & MovementKeys.Jump) != 0) CommenceJump(now);
-            else DoJump(now);
+            commands.RestMouse(now);
+            TurnByMouse(0f, now);
         }
 
-        // Keys that were held while a server moved the body act again as soon as what it ordered is done.
-        if (IsControlledByServer && (held & DirectionKeys) != 0 && !Interpreter.MotionsPending)
-        {
-            TakeControl();
-            SendMoveToState(now);
-        }
-
-        if (report.IsDue(body, now)) sink.OnAutonomousPosition(new AutonomousPositionEvent(now, body.Position, Contact: true));
+        commands.UseTime(now);
     }
 
-    /// <summary>Runs ahead without a key, or stops doing so.</summary>
+    /// <summary>Runs ahead without a key, or stops doing so. It runs whatever the walk key says, which still decides how fast the player turns.</summary>
     /// <exception cref="ArgumentException">The time is not finite; nothing has changed.</exception>
     public void SetAutoRun(bool on, double now)
     {
         ThrowIfNotFinite(now);
-        if (on == AutoRun) return;
-        AutoRun = on;
-        if (IsControlledByServer && !on) return;
-        BeginCommand();
-        ApplyHoldRun();
-        ApplySubstates();
-        SendMoveToState(now);
+        commands.HandleAutoRun(on, now);
     }
 
-    /// <summary>The page lost the focus or the input ends: every key counts as let go, and a jump under way is given up.</summary>
+    /// <summary>Takes a posture or does an action (an emote), as a key for it would. An action stops everything else first.</summary>
+    /// <param name="motion">The motion; none that is bound to <see cref="MovementKeys"/>.</param>
+    /// <param name="now">Seconds.</param>
+    /// <returns>Why it was refused; none when it was not.</returns>
+    /// <exception cref="ArgumentException">The time is not finite, or the motion is bound to keys; nothing has changed.</exception>
+    public MotionError Perform(MotionCommand motion, double now)
+    {
+        ThrowIfNotFinite(now);
+        if (commands.IsHeld(motion)) throw new ArgumentException($"{motion} lasts as long as its key is held.", nameof(motion));
+        return commands.HandleKey(motion, down: true, now);
+    }
+
+    /// <summary>
+    /// Stops everything, what the keys asked for and autorun included, and says so. The escape key does; so do attacks and spells, but only while the player is in
+    /// control.
+    /// </summary>
     /// <exception cref="ArgumentException">The time is not finite; nothing has changed.</exception>
-    public void ReleaseAll(double now)
+    public void StopCompletely(double now)
+    {
+        ThrowIfNotFinite(now);
+        commands.StopCompletely(now);
+    }
+
+    /// <summary>Gives up a jump that is being charged: a chat entry opens, the escape key, an attack. Nothing is sent, and the key's release does nothing.</summary>
+    public void AbortJump() => jump.Finish();
+
+    /// <summary>The keyboard belongs to somebody else: every key counts as let go, and a jump under way is given up. Autorun goes on.</summary>
+    /// <exception cref="ArgumentException">The time is not finite; nothing has changed.</exception>
+    public void LoseKeyboardFocus(double now)
     {
         ThrowIfNotFinite(now);
         held = MovementKeys.None;
-        substates.Clear();
-        sidesteps.Clear();
-        turns.Clear();
-        AutoRun = false;
-        FinishJump();
-        if (IsControlledByServer) return;
-        Interpreter.PerformMovement(MovementKind.StopCompletely, MotionCommand.None, new MovementParameters());
-        SendMoveToState(now);
+        commands.LoseKeyboardFocus(now);
+    }
+
+    /// <summary>The input ends, as at logging off: every key counts as let go, none acts any more, and no position is told.</summary>
+    /// <exception cref="ArgumentException">The time is not finite; nothing has changed.</exception>
+    public void Disable(double now)
+    {
+        ThrowIfNotFinite(now);
+        commands.Disable(now);
+    }
+
+    /// <summary>Keys act again, from their next change on.</summary>
+    public void Enable() => commands.Enable();
+
+    /// <summary>Switches turning by the pointer on or off.</summary>
+    /// <exception cref="ArgumentException">The time is not finite; nothing has changed.</exception>
+    public void UseMouseTurning(bool on, double now)
+    {
+        ThrowIfNotFinite(now);
+        commands.UseMouse(on, now);
+    }
+
+    /// <summary>The pointer's buttons. The right one turns the player by the pointer; both together run ahead.</summary>
+    /// <param name="left">The left button is held.</param>
+    /// <param name="right">The right button is held.</param>
+    /// <param name="now">Seconds.</param>
+    /// <exception cref="ArgumentException">The time is not finite; nothing has changed.</exception>
+    public void SetMouseButtons(bool left, bool right, double now)
+    {
+        ThrowIfNotFinite(now);
+        lastInput = now;
+        commands.HandleLeftButton(left, now);
+        commands.HandleLook(right, now);
+    }
+
+    /// <summary>The pointer moved. It turns the player while the right button is held, from the sixth movement in a row on.</summary>
+    /// <param name="counts">How far to the right, in counts of the pointer.</param>
+    /// <param name="now">Seconds.</param>
+    /// <exception cref="ArgumentException">A number is not finite; nothing has changed.</exception>
+    public void MoveMouse(float counts, double now)
+    {
+        ThrowIfNotFinite(now);
+        if (!float.IsFinite(counts)) throw new ArgumentException("The movement is not finite.", nameof(counts));
+        lastInput = now;
+        if (commands.IsLooking && commands.IsEnabled) TurnByMouse(counts, now);
     }
 
     /// <summary>The body was teleported: the server is told what is asked of it there.</summary>
@@ -133,17 +181,7 @@ public sealed class PlayerMovementController : IServerMessageHandler
     public void OnTeleported(double now)
     {
         ThrowIfNotFinite(now);
-        if (AutoRun)
-        {
-            AutoRun = false;
-            if (!IsControlledByServer)
-            {
-                ApplyHoldRun();
-                ApplySubstates();
-            }
-        }
-
-        SendMoveToState(now);
+        commands.HandleTeleport(now);
     }
 
     /// <summary>
@@ -156,152 +194,49 @@ public sealed class PlayerMovementController : IServerMessageHandler
         ArgumentNullException.ThrowIfNull(message.State, nameof(message));
         if (message.Autonomous)
         {
-            if (message.State.ForwardCommand == MotionCommand.RunForward) Interpreter.AdoptRunRate(message.State.ForwardSpeed);
+            if (message.State.ForwardCommand == MotionCommand.RunForward) movement.Interpreter.AdoptRunRate(message.State.ForwardSpeed);
             return;
         }
 
         movement.ApplyUpdate(message.State, autonomous: false, message.StandingLongJump);
-        IsControlledByServer = true;
-        AutoRun = false;
+        commands.LoseControlToServer();
     }
 
     /// <summary>A server says what numbers the character has. Only here do they reach the player's weenie, so until then everything stays as it was.</summary>
     /// <exception cref="ArgumentException">A number is out of range.</exception>
     public void HandleCharacterUpdate(in CharacterUpdateEvent message)
     {
-        if (Interpreter.Weenie is PlayerWeenie weenie) weenie.SetStats(message.Stats);
-        Interpreter.AdoptRunRate(message.RunRate);
+        if (movement.Interpreter.Weenie is PlayerWeenie weenie) weenie.SetStats(message.Stats);
+        movement.Interpreter.AdoptRunRate(message.RunRate);
     }
 
-    private void HandleKey(MovementKeys changed, MovementKeys key, HeldCommands list, MotionCommand command, double now)
+    /// <summary>Keys that changed within one frame are taken in this order.</summary>
+    private void HandleKeys(MovementKeys changed, double now)
     {
-        if ((changed & key) == 0) return;
-        bool pressed = (held & key) != 0;
-        MotionCommand before = list.Acting;
-        if (pressed) list.Press(command);
-        else list.Release(command);
-        if (pressed && list == substates) AutoRun = false;
-        if (!pressed && (IsControlledByServer || list.Acting == before)) return;
-        if (pressed) BeginCommand();
-        ApplyHoldRun();
-        Apply(list);
-        SendMoveToState(now);
+        lastInput = now;
+        if ((changed & MovementKeys.Walk) != 0) commands.HandleWalkKey(IsDown(MovementKeys.Walk));
+        if ((changed & MovementKeys.HoldSidestep) != 0) commands.HandleSidestepKey(IsDown(MovementKeys.HoldSidestep), now);
+        HandleKey(changed, MovementKeys.Forward, MotionCommand.WalkForward, now);
+        HandleKey(changed, MovementKeys.Back, MotionCommand.WalkBackwards, now);
+        HandleKey(changed, MovementKeys.SidestepLeft, MotionCommand.SideStepLeft, now);
+        HandleKey(changed, MovementKeys.SidestepRight, MotionCommand.SideStepRight, now);
+        HandleKey(changed, MovementKeys.TurnLeft, MotionCommand.TurnLeft, now);
+        HandleKey(changed, MovementKeys.TurnRight, MotionCommand.TurnRight, now);
+        if ((changed & MovementKeys.Jump) == 0 || !commands.IsEnabled) return;
+        if (IsDown(MovementKeys.Jump)) jump.Press(now);
+        else jump.Release(now);
     }
 
-    private void HandleTurnKey(MovementKeys changed, MovementKeys key, MotionCommand turn, MotionCommand sidestep, double now)
+    private void HandleKey(MovementKeys changed, MovementKeys key, MotionCommand command, double now)
     {
-        if ((changed & key) == 0) return;
-        bool asSidestep = (held & MovementKeys.HoldSidestep) != 0;
-        HandleKey(changed, key, asSidestep ? sidesteps : turns, asSidestep ? sidestep : turn, now);
+        if ((changed & key) != 0) commands.HandleKey(command, IsDown(key), now);
     }
 
-    /// <summary>Turn keys that are held change what they mean.</summary>
-    private void HandleHoldSidestep(MovementKeys changed, double now)
-    {
-        if ((changed & MovementKeys.HoldSidestep) == 0) return;
-        bool on = (held & MovementKeys.HoldSidestep) != 0, any = false;
-        any |= Exchange(changed, on, MovementKeys.TurnLeft, MotionCommand.TurnLeft, MotionCommand.SideStepLeft, MovementKeys.SidestepLeft);
-        any |= Exchange(changed, on, MovementKeys.TurnRight, MotionCommand.TurnRight, MotionCommand.SideStepRight, MovementKeys.SidestepRight);
-        if (!any || IsControlledByServer) return;
-        Apply(sidesteps);
-        Apply(turns);
-        SendMoveToState(now);
-    }
+    private bool IsDown(MovementKeys key) => (held & key) != 0;
 
-    private bool Exchange(MovementKeys changed, bool on, MovementKeys key, MotionCommand turn, MotionCommand sidestep, MovementKeys sidestepKey)
+    private void TurnByMouse(float counts, double now)
     {
-        bool wasHeld = ((held ^ changed) & key) != 0;
-        if (!wasHeld) return false;
-        if (on)
-        {
-            turns.Release(turn);
-            sidesteps.Press(sidestep);
-        }
-        else
-        {
-            if ((held & sidestepKey) == 0) sidesteps.Release(sidestep);
-            turns.Press(turn);
-        }
-
-        return true;
-    }
-
-    private void HandleHoldRun(double now)
-    {
-        if (IsControlledByServer || !ApplyHoldRun() || StandsStill) return;
-        SendMoveToState(now);
-    }
-
-    /// <summary>True when it changed whether forward walks or runs.</summary>
-    private bool ApplyHoldRun()
-    {
-        bool run = AutoRun || RunAsDefault != ((held & MovementKeys.Walk) != 0);
-        if (Interpreter.Raw.CurrentHoldKey == HoldKey.Run == run) return false;
-        Interpreter.SetHoldRun(run, cancelMoveTo: false);
-        return true;
-    }
-
-    private void BeginCommand()
-    {
-        if (IsControlledByServer) TakeControl();
-    }
-
-    /// <summary>The keys count again: what a server ordered ends, and what is held acts.</summary>
-    /// <remarks>Retail: CommandInterpreter::TakeControlFromServer.</remarks>
-    private void TakeControl()
-    {
-        IsControlledByServer = false;
-        body.LastMoveWasAutonomous = true;
-        Interpreter.PerformMovement(MovementKind.StopCompletely, MotionCommand.None, new MovementParameters());
-        ApplyHoldRun();
-        ApplySubstates();
-        Apply(sidesteps);
-        Apply(turns);
-    }
-
-    private void Apply(HeldCommands list)
-    {
-        if (list == substates) ApplySubstates();
-        else if (list.Acting != MotionCommand.None) movement.DoMotion(list.Acting, new MovementParameters());
-        else movement.StopMotion(list == sidesteps ? MotionCommand.SideStepRight : MotionCommand.TurnRight, new MovementParameters());
-    }
-
-    /// <summary>Hold key 0 with the flag to set it: the current hold key, and not one of the command, decides between walking and running.</summary>
-    private void ApplySubstates()
-    {
-        MotionCommand acting = AutoRun ? MotionCommand.WalkForward : substates.Acting;
-        movement.DoMotion(acting == MotionCommand.None ? MotionCommand.Ready : acting, new MovementParameters());
-    }
-
-    /// <remarks>Retail: ClientCombatSystem::CommenceJump @0x0056AF90.</remarks>
-    private void CommenceJump(double now)
-    {
-        if (charge.IsPending) return;
-        LastRefusal = Interpreter.ChargeJump();
-        if (LastRefusal == MotionError.None) charge.Begin(now);
-    }
-
-    /// <remarks>Retail: ClientCombatSystem::DoJump @0x0056B110. The velocity is read after the jump.</remarks>
-    private void DoJump(double now)
-    {
-        if (!charge.IsPending) return;
-        float extent = Math.Max(JumpLevel(now), MovementFormulas.MinJumpExtent);
-        FinishJump();
-        LastRefusal = Interpreter.Jump(extent);
-        if (LastRefusal == MotionError.None) sink.OnJump(new JumpEvent(now, extent, body.LocalVelocity, body.Position));
-    }
-
-    private void FinishJump()
-    {
-        charge.End();
-        Interpreter.EndJumpCharge();
-    }
-
-    private void SendMoveToState(double now)
-    {
-        report.OnMoveToState(now);
-        bool contact = body.HasContact && body.OnWalkable;
-        sink.OnMoveToState(new MoveToStateEvent(now, Interpreter.Raw.Clone(), body.Position, contact, Interpreter.StandingLongJump));
+        if (MouseTurning.Filter(counts, now, out float turn)) commands.TurnByMouse(turn, now);
     }
 
     private static void ThrowIfNotFinite(double now)

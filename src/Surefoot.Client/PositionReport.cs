@@ -6,7 +6,7 @@ using Surefoot.Physics.World;
 namespace Surefoot.Client;
 
 /// <summary>Decides when the server is told where the body is.</summary>
-/// <remarks>Retail: ShouldSendPositionEvent and SendPositionEvent; specification 08, 5.6.</remarks>
+/// <remarks>Retail: CommandInterpreter::ShouldSendPositionEvent @0x006B45E0; specification 08, 5.6 and 09b, 9.8.</remarks>
 internal struct PositionReport
 {
     private const double Interval = 1.0;

@@ -12,9 +12,9 @@ internal sealed class KeyFixture : IMotionBody
 {
     internal const double FrameTime = 1.0 / 30;
 
-    internal KeyFixture(IWeenieObj? weenie = null)
+    internal KeyFixture(IWeenieObj? weenie = null, MotionTableAsset? table = null)
     {
-        Movement = new MovementManager(this, HumanoidTable.Create(), weenie ?? new PlayerWeenie(new CharacterStats(300, 300)));
+        Movement = new MovementManager(this, table ?? HumanoidTable.Create(), weenie ?? new PlayerWeenie(new CharacterStats(300, 300)));
         Controller = new PlayerMovementController(this, Movement, Sent, Now);
         Press(MovementKeys.None);
     }
@@ -28,6 +28,11 @@ internal sealed class KeyFixture : IMotionBody
     internal PlayerMovementController Controller { get; }
 
     internal MotionInterpreter Interpreter => Movement.Interpreter;
+
+    internal RawMotionState Raw => Interpreter.Raw;
+
+    /// <summary>What was sent last.</summary>
+    internal MoveToStateEvent LastSent => Sent.Moves[^1];
 
     internal (MotionCommand Command, float Speed) Forward => (Interpreter.Interpreted.ForwardCommand, Interpreter.Interpreted.ForwardSpeed);
 
@@ -70,10 +75,19 @@ internal sealed class KeyFixture : IMotionBody
         {
             Now += FrameTime;
             Controller.Update(keys, Now);
-            Frame offset = Frame.Identity;
-            Movement.AccumulateRootMotion((float)FrameTime, ref offset);
-            Movement.Animation!.ProcessHooks(null);
-            Movement.UseTime();
+            Animate();
         }
+    }
+
+    /// <summary>A server orders a state.</summary>
+    internal void Order(MotionCommand forward, float speed = 1f) => Controller.HandleUpdateMotion(
+        new UpdateMotionEvent(new InterpretedMotionState { ForwardCommand = forward, ForwardSpeed = speed }, Autonomous: false));
+
+    private void Animate()
+    {
+        Frame offset = Frame.Identity;
+        Movement.AccumulateRootMotion((float)FrameTime, ref offset);
+        Movement.Animation!.ProcessHooks(null);
+        Movement.UseTime();
     }
 }

@@ -11,7 +11,7 @@ public sealed partial class MotionInterpreter
     public void ApplyCurrentMovement(bool cancelMoveTo, bool disallowJump)
     {
         if (body is null || !IsInitialised) return;
-        if ((weenie is null || weenie.IsThePlayer) && body.LastMoveWasAutonomous) ApplyRawMovement(cancelMoveTo, disallowJump);
+        if (IsThePlayer && body.LastMoveWasAutonomous) ApplyRawMovement(cancelMoveTo, disallowJump);
         else ApplyInterpretedMovement(cancelMoveTo, disallowJump);
     }
 
@@ -127,7 +127,7 @@ public sealed partial class MotionInterpreter
         {
             MotionAction action = state.GetAction(i);
             if (!IsNewerStamp((int)ServerActionStamp & StampMask, (int)action.Stamp & StampMask)) continue;
-            if (action.Autonomous && weenie is { IsThePlayer: true }) continue;
+            if (action.Autonomous && IsThePlayer) continue;
             ServerActionStamp = action.Stamp;
             MovementParameters p = new() { Speed = action.Speed, ActionStamp = action.Stamp };
             if (action.Autonomous) p.Flags |= MovementFlags.Autonomous;

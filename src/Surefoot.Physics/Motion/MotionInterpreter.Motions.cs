@@ -52,7 +52,11 @@ public sealed partial class MotionInterpreter
         if (body is null) return MotionError.NoBody;
         ThrowIfNotFinite(p.Speed, nameof(p));
         MovementParameters q = p;
-        MotionCommand normalised = BeginMotion(motion, ref q);
+        bool cancel = p.Has(MovementFlags.CancelMoveTo);
+        if (cancel) Interruption?.CancelMoveTo();
+        if (p.Has(MovementFlags.SetHoldKey)) SetHoldKey(p.HoldKey, cancel);
+        MotionCommand normalised = motion;
+        AdjustMotion(ref normalised, ref q.Speed, p.HoldKey);
 
         if (Interpreted.CurrentStyle != MotionCommand.NonCombat)
         {
@@ -68,14 +72,17 @@ public sealed partial class MotionInterpreter
         return error;
     }
 
-    /// <summary>Ends a motion as a key names it.</summary>
+    /// <summary>Ends a motion as a key names it. No hold key, posture, emote or number of actions stands in its way.</summary>
     /// <remarks>Retail: CMotionInterp::StopMotion @0x00528530.</remarks>
     public MotionError StopMotion(MotionCommand motion, in MovementParameters p)
     {
         if (body is null) return MotionError.NoBody;
         ThrowIfNotFinite(p.Speed, nameof(p));
         MovementParameters q = p;
-        MotionError error = StopInterpretedMotion(BeginMotion(motion, ref q), q);
+        if (p.Has(MovementFlags.CancelMoveTo)) Interruption?.CancelMoveTo();
+        MotionCommand normalised = motion;
+        AdjustMotion(ref normalised, ref q.Speed, p.HoldKey);
+        MotionError error = StopInterpretedMotion(normalised, q);
         if (error == MotionError.None && p.Has(MovementFlags.ModifyRawState)) Raw.RemoveMotion(motion);
         return error;
     }
@@ -161,16 +168,6 @@ public sealed partial class MotionInterpreter
         if (motion is MotionCommand.Falling or MotionCommand.Dead or MotionCommand.TurnRight or MotionCommand.TurnLeft) return true;
         if (!IsCreature || !body.HasGravity) return true;
         return Stands(body);
-    }
-
-    private MotionCommand BeginMotion(MotionCommand motion, ref MovementParameters q)
-    {
-        bool cancel = q.Has(MovementFlags.CancelMoveTo);
-        if (cancel) Interruption?.CancelMoveTo();
-        if (q.Has(MovementFlags.SetHoldKey)) SetHoldKey(q.HoldKey, cancel);
-        MotionCommand normalised = motion;
-        AdjustMotion(ref normalised, ref q.Speed, q.HoldKey);
-        return normalised;
     }
 
     /// <summary>While a standing long jump is charged the body stays where it is.</summary>

@@ -89,6 +89,8 @@ public sealed partial class MotionInterpreter
 
     private bool IsCreature => weenie is null || weenie.IsCreature;
 
+    private bool IsThePlayer => weenie is null || weenie.IsThePlayer;
+
     private static bool Stands(IMotionBody b) => b.HasContact && b.OnWalkable;
 
     /// <summary>Takes another weenie and acts by its speeds.</summary>

@@ -191,6 +191,26 @@ public class InterpreterTests
     }
 
     [Fact]
+    [Behaviour("motion.stop.knows-no-refusal", "spec/01, 4.8; CMotionInterp::StopMotion @0x00528530")]
+    public void Stopping_knows_no_hold_key_no_posture_and_no_number_of_actions()
+    {
+        (_, MotionInterpreter interpreter) = FakeBody.Standing(FakeBody.Player(), HumanoidTable.Create(links: true));
+        interpreter.DoMotion(MotionCommand.Crouch, Defaults);
+        for (int i = 0; i < 6; i++) interpreter.Interpreted.AddAction(new MotionAction(Bow, 1f, 1, Autonomous: true));
+        interpreter.Interpreted.CurrentStyle = MotionCommand.DualWieldCombat;
+        MovementParameters p = new() { HoldKey = HoldKey.Run };
+        Assert.Equal(MotionError.NoCrouchInCombat, interpreter.DoMotion(MotionCommand.Crouch, Defaults));
+        Assert.Equal(MotionError.None, interpreter.StopMotion(MotionCommand.Crouch, p));
+        Assert.Equal((MotionCommand.Ready, MotionCommand.Ready), (interpreter.Raw.ForwardCommand, interpreter.Interpreted.ForwardCommand));
+        Assert.Equal(HoldKey.None, interpreter.Raw.CurrentHoldKey);
+
+        // The table does not have these; it is what says so, and no rule of postures, emotes or actions.
+        Assert.Equal(MotionError.NoMotionData, interpreter.StopMotion(MotionCommand.Sleeping, p));
+        Assert.Equal(MotionError.NoMotionData, interpreter.StopMotion((MotionCommand)0x1200007D, p));
+        Assert.Equal(MotionError.NoMotionData, interpreter.StopMotion(Bow, p));
+    }
+
+    [Fact]
     [Behaviour("motion.do.bad-speed-changes-nothing", "design, decision 7")]
     public void A_speed_that_is_no_number_is_refused_and_changes_nothing()
     {
@@ -267,5 +287,34 @@ public class InterpreterTests
         interpreter.MoveToInterpretedState(state);
         Assert.Equal(1u, interpreter.ServerActionStamp);
         Assert.Equal(1, interpreter.Interpreted.ActionCount);
+    }
+
+    [Theory]
+    [Behaviour("motion.server.autonomous-actions-are-for-others", "spec/01, 4.14")]
+    [InlineData(Who.Nobody, false)]
+    [InlineData(Who.Player, false)]
+    [InlineData(Who.Other, true)]
+    public void An_autonomous_action_of_a_state_is_done_by_others_only_and_a_body_without_a_weenie_counts_as_the_player(Who who, bool done)
+    {
+        IWeenieObj? weenie = who switch { Who.Nobody => null, Who.Player => FakeBody.Player(), _ => new OtherWeenie() };
+        (FakeBody body, MotionInterpreter interpreter) = FakeBody.Standing(weenie, HumanoidTable.Create(links: true));
+        body.LastMoveWasAutonomous = false;
+        InterpretedMotionState state = new();
+        state.AddAction(new MotionAction(Bow, 1f, 3, Autonomous: true));
+        interpreter.MoveToInterpretedState(state);
+        Assert.Equal((done ? 3u : 0u, done ? 1 : 0), (interpreter.ServerActionStamp, interpreter.Interpreted.ActionCount));
+    }
+
+    /// <summary>Whose body it is.</summary>
+    public enum Who
+    {
+        /// <summary>It has no weenie.</summary>
+        Nobody,
+
+        /// <summary>The local player's.</summary>
+        Player,
+
+        /// <summary>Somebody else's.</summary>
+        Other,
     }
 }
