@@ -45,9 +45,9 @@ public enum PortalFlags : ushort
 /// <param name="OtherPortal">Index into the other cell's portals.</param>
 public readonly record struct CellPortal(PortalFlags Flags, ushort Polygon, ushort OtherCell, ushort OtherPortal)
 {
-    /// <summary>True where it opens to the outdoors: the flag, or 0xFFFF as the other cell.</summary>
+    /// <summary>True where it opens to the outdoors, which its flag alone says: behind 0xFFFF without it is a cell that never exists.</summary>
     [JsonIgnore]
-    public bool IsOutside => (Flags & PortalFlags.Outside) != 0 || OtherCell == 0xFFFF;
+    public bool IsOutside => (Flags & PortalFlags.Outside) != 0;
 
     /// <summary>Retail's portal_side: true when the polygon's normal points out of the cell.</summary>
     [JsonIgnore]

@@ -2,7 +2,7 @@ using System.Numerics;
 using Surefoot.Dats.Records;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Geometry;
-using Surefoot.Physics.Tests.Assets;
+using Surefoot.Physics.Transitions;
 using Surefoot.Physics.World;
 using BuildingPortalRecord = Surefoot.Dats.Records.BuildingPortal;
 using EnvCellRecord = Surefoot.Dats.Records.EnvCell;
@@ -47,6 +47,30 @@ public sealed class BlockContentTests
         // The polygons are named by key: 5 is the floor, 6 the wall.
         Assert.Equal(Vector3.UnitZ, room.Portals[0].Plane.Normal);
         Assert.Equal(Vector3.UnitX, room.Portals[1].Plane.Normal);
+    }
+
+    [Fact]
+    [Behaviour("world.portals.outdoors-by-flag-alone", "spec/05, 2.5")]
+    public void A_portal_to_cell_FFFF_without_the_flag_leads_to_a_cell_that_never_exists()
+    {
+        PhysicsWorld world = Records(new LandBlockInfo { Id = WorldRecords.Info, CellCount = 1 }, new EnvCellRecord
+        {
+            Id = Room,
+            CellId = Room,
+            Flags = EnvCellFlags.SeenOutside,
+            EnvironmentId = Shapes,
+            Position = DatFrame.Identity,
+            Portals = [new CellPortal(PortalFlags.ExactMatch, 5, 0xFFFF, 0)],
+        }).World();
+        Surefoot.Physics.World.EnvCell room = (Surefoot.Physics.World.EnvCell)world.GetVisible(Room)!;
+        Assert.False(room.Portals[0].IsExit);
+
+        // A sphere at the portal's plane reaches that cell, which nobody has, and not the land.
+        CellArray reached = new();
+        ObjCell? home = null;
+        world.FindCellList(reached, new Position(Room, Vector3.Zero), [new Sphere(new Vector3(0.5f, 0.5f, 0), 0.1f)], null, false, ref home);
+        Assert.Equal("A9B40100 A9B4FFFF", CellListTests.Ids(reached));
+        Assert.Null(reached[1].Cell);
     }
 
     [Fact]
@@ -165,7 +189,9 @@ public sealed class BlockContentTests
         return new StaticObject(setup, new Position(cell.Id, new Vector3(191, 100, 0)), 1, cell, 1);
     }
 
-    private static Landblock Block(LandBlockInfo info, params DatRecord[] more) => new WorldRecords().Ground(info: true).Add(
+    private static Landblock Block(LandBlockInfo info, params DatRecord[] more) => Records(info, more).Load();
+
+    private static WorldRecords Records(LandBlockInfo info, params DatRecord[] more) => new WorldRecords().Ground(info: true).Add(
         info,
         new Setup { Id = Thing, CylSpheres = [new DatCylSphere(Vector3.Zero, 0.3f, 1)] },
         new CellEnvironment
@@ -175,12 +201,12 @@ public sealed class BlockContentTests
             [
                 new CellStruct
                 {
-                    Vertices = Records.Vertices(new(0, 0, 0), new(1, 0, 0), new(1, 1, 0), new(0, 1, 0), new(0, 0, 1)),
+                    Vertices = Assets.Records.Vertices(new(0, 0, 0), new(1, 0, 0), new(1, 1, 0), new(0, 1, 0), new(0, 0, 1)),
                     Polygons = [new DatPolygon { Key = 6, Vertices = [0, 3, 4] }, new DatPolygon { Key = 5, Vertices = [0, 1, 2, 3] }],
                     PortalPolygons = [1, 0],
                     CellTree = BspTree.OfLeaf(new BspNode()),
                     PhysicsTree = BspTree.OfLeaf(new BspNode()),
                 },
             ],
-        }).Add(more).Load();
+        }).Add(more);
 }
