@@ -2,6 +2,7 @@ using System.Numerics;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
+using Surefoot.Physics.Motion;
 using Surefoot.Physics.Transitions;
 using Surefoot.Physics.World;
 
@@ -14,6 +15,7 @@ namespace Surefoot.Physics;
 public sealed class PhysicsEngine
 {
     private readonly BodyTable bodies = new();
+    private readonly StaticAnimations statics = new();
     private double lastUpdate;
     private ulong rollState;
 
@@ -25,8 +27,10 @@ public sealed class PhysicsEngine
         ArgumentNullException.ThrowIfNull(world);
         World = world;
         Transitions = new TransitionPool(world);
-        (world as PhysicsWorld)?.Attach(this);
         rollState = seed;
+        if (world is not PhysicsWorld loaded) return;
+        loaded.Attach(this);
+        foreach (Landblock block in loaded.Landblocks) statics.Add(block, world, Now);
     }
 
     /// <summary>The cells bodies move through.</summary>
@@ -87,8 +91,8 @@ public sealed class PhysicsEngine
     public PhysicsBody? Find(uint id) => bodies.Find(id);
 
     /// <summary>
-    /// Brings every body to <paramref name="now"/>. Less than 1/30 s after the last tick nothing happens and the time is not lost: a finer step would change
-    /// how bodies fall.
+    /// Brings every body, then the parts of animated statics, to <paramref name="now"/>. Less than 1/30 s after the last tick nothing happens and the time is
+    /// not lost: a finer step would change how bodies fall.
     /// </summary>
     /// <param name="now">Seconds; a clock that starts anywhere and does not run backwards.</param>
     /// <returns>True when bodies were updated.</returns>
@@ -108,6 +112,7 @@ public sealed class PhysicsEngine
         if (elapsed < PhysicsBody.MinQuantum) return false;
         foreach (PhysicsBody body in bodies) body.UpdateObject(now);
         lastUpdate = now;
+        statics.Animate(now);
         return true;
     }
 
@@ -133,28 +138,31 @@ public sealed class PhysicsEngine
         return cell is null ? default : probe.Probe(to);
     }
 
-    /// <summary>Bodies whose cell came with a landblock enter the world again.</summary>
-    /// <param name="blockId">The landblock, 0xXXYY0000.</param>
-    internal void OnLandblockLoaded(uint blockId)
+    /// <summary>Bodies whose cell came with a landblock enter the world again, and its animated statics begin to move.</summary>
+    /// <param name="block">The landblock.</param>
+    internal void OnLandblockLoaded(Landblock block)
     {
+        statics.Add(block, World, Now);
         foreach (PhysicsBody body in bodies)
-            if (body.IsLost && CellIds.BlockOf(body.Position.CellId) == blockId) body.ReenterVisibility();
+            if (body.IsLost && CellIds.BlockOf(body.Position.CellId) == block.Id) body.ReenterVisibility();
     }
 
     /// <summary>Bodies in a landblock that goes away wait for it. To be called before it does.</summary>
     /// <param name="blockId">The landblock, 0xXXYY0000.</param>
     internal void OnLandblockUnloading(uint blockId)
     {
+        statics.Remove(blockId);
         foreach (PhysicsBody body in bodies)
             if (body.Cell is not null && CellIds.BlockOf(body.Position.CellId) == blockId) body.LeaveVisibility();
     }
 
-    /// <summary>A hash of the state of every body, equal wherever the same inputs were given.</summary>
+    /// <summary>A hash of the state of every body and every animated static, equal wherever the same inputs were given.</summary>
     public ulong HashState()
     {
         StateHash hash = new();
         hash.Add(rollState);
         foreach (PhysicsBody body in bodies) body.AddTo(ref hash);
+        statics.AddTo(ref hash);
         return hash.Value;
     }
 

@@ -12,9 +12,13 @@ namespace Surefoot.Physics.Assets;
 /// <remarks>Two threads that ask for a new id at the same moment may both build it; all callers get the same one.</remarks>
 public sealed class PhysicsDataCache
 {
+    /// <summary>Where an animation record has its numbers of parts and frames.</summary>
+    private const long AnimationCounts = 8;
+
     private readonly ConcurrentDictionary<uint, GfxObjAsset> meshes = new();
     private readonly ConcurrentDictionary<uint, EnvironmentAsset> environments = new();
     private readonly ConcurrentDictionary<uint, SetupAsset> setups = new();
+    private readonly ConcurrentDictionary<uint, AnimationAsset> animations = new();
 
     /// <summary>A cache over the dat files.</summary>
     public PhysicsDataCache(IDatSource source)
@@ -27,7 +31,7 @@ public sealed class PhysicsDataCache
     public IDatSource Source { get; }
 
     /// <summary>Number of assets built so far.</summary>
-    public int Count => meshes.Count + environments.Count + setups.Count;
+    public int Count => meshes.Count + environments.Count + setups.Count + animations.Count;
 
     /// <summary>The mesh with an id 0x01…</summary>
     /// <exception cref="DatRecordMissingException">There is no such record.</exception>
@@ -51,6 +55,21 @@ public sealed class PhysicsDataCache
             ? SetupAsset.FromGfxObj(GetGfxObj(id))
             : SetupAsset.Build(Source.Read<Setup>(id), part => GetGfxObj(part, id));
         return setups.GetOrAdd(id, asset);
+    }
+
+    /// <summary>The animation that a setup plays by itself, with the places of its parts.</summary>
+    /// <param name="id">Animation id, 0x03…</param>
+    /// <param name="setupId">The setup that names it.</param>
+    /// <exception cref="DatRecordMissingException">There is no such record.</exception>
+    /// <exception cref="DatFormatException">The record is malformed, has no frames, or moves no parts.</exception>
+    public AnimationAsset GetDefaultAnimation(uint id, uint setupId)
+    {
+        if (animations.TryGetValue(id, out AnimationAsset? asset)) return asset;
+        Animation record = Source.Read<Animation>(id, setupId);
+        asset = AnimationAsset.Build(record, withParts: true);
+        if (asset is null) throw new DatFormatException(record.File, id, AnimationCounts, "it has no frames");
+        if (asset.PartFrames(0).IsEmpty) throw new DatFormatException(record.File, id, AnimationCounts, "it moves no parts");
+        return animations.GetOrAdd(id, asset);
     }
 
     private GfxObjAsset GetGfxObj(uint id, uint? requestedBy)

@@ -24,6 +24,7 @@ public sealed class SetupAsset
     private readonly Dictionary<uint, Frame[]> placements = [];
     private readonly double spheresReach;
     private Frame[] defaultPlacement = [];
+    private Frame[]? resting;
 
     /// <summary>Id of the record: 0x02…, or 0x01… for a setup made up for one mesh.</summary>
     public uint Id { get; init; }
@@ -78,7 +79,13 @@ public sealed class SetupAsset
     /// <summary>Motion table an object of this setup starts with; 0 for none.</summary>
     public uint DefaultMotionTableId { get; init; }
 
-    /// <summary>Some part has a collision tree: then the trees stop bodies, and neither cylinders nor spheres do.</summary>
+    /// <summary>Animation that a static object of this setup plays for ever; 0 for none.</summary>
+    public uint DefaultAnimationId { get; init; }
+
+    /// <summary>
+    /// Some part has a collision tree: an object that is made of this setup is then hit by its trees, and neither by cylinders nor by spheres, until a server's
+    /// word says otherwise (<see cref="PhysicsState.HasPhysicsBsp"/>).
+    /// </summary>
     /// <remarks>Retail: CPartArray::CacheHasPhysicsBSP. Never taken from the record's flag.</remarks>
     public bool HasPhysicsBsp { get; private init; }
 
@@ -86,9 +93,19 @@ public sealed class SetupAsset
     /// Frames of the parts in the object's frame when it is put down in some way; the default way where the asked one is missing, and no frames where that is
     /// missing too.
     /// </summary>
-    /// <param name="placement">0 by default, 0x65 for things that lie about.</param>
+    /// <param name="placement">0 by default, <see cref="Resting"/> for things that lie about.</param>
     public ReadOnlySpan<Frame> Placement(uint placement) =>
         placement != 0 && placements.TryGetValue(placement, out Frame[]? frames) ? frames : defaultPlacement;
+
+    /// <summary>The way in which every object is put down when it is made.</summary>
+    public const uint Resting = 0x65;
+
+    /// <summary>Frames of the parts of an object as it is made: <see cref="Placement"/> of <see cref="Resting"/>.</summary>
+    /// <remarks>Retail: CPhysicsObj::InitObjectEnd @0x0050FFE0.</remarks>
+    public ReadOnlySpan<Frame> RestPose => resting ?? defaultPlacement;
+
+    /// <summary>Is there a way of putting the object down with this number?</summary>
+    public bool HasPlacement(uint placement) => placements.ContainsKey(placement);
 
     /// <summary>The setup that a mesh on its own stands for.</summary>
     /// <remarks>Retail: CSetup::makeSimpleSetup.</remarks>
@@ -130,6 +147,7 @@ public sealed class SetupAsset
             SortingSphere = check.Sphere(record.SortingSphere, "the sorting sphere"),
             AllowFreeHeading = record.Flags.HasFlag(SetupFlags.AllowFreeHeading),
             DefaultMotionTableId = record.DefaultMotionTableId,
+            DefaultAnimationId = record.DefaultAnimationId,
         };
         foreach (PlacementFrame placement in record.PlacementFrames)
             asset.With(placement.Placement, [.. placement.Frame.Parts.Select(f => check.Frame(f, $"placement {placement.Placement}"))]);
@@ -149,8 +167,8 @@ public sealed class SetupAsset
     }
 
     /// <summary>
-    /// Tests the check position against an object of this setup: its parts' trees if any part has one, else its cylinders, else its spheres; the first answer
-    /// other than OK counts.
+    /// Tests the check position against an object of this setup: its parts' trees if its state word says so, else its cylinders, else its spheres; the first
+    /// answer other than OK counts.
     /// </summary>
     /// <param name="transition">The transition.</param>
     /// <param name="target">The object.</param>
@@ -160,17 +178,16 @@ public sealed class SetupAsset
     {
         Position position = target.Position;
         float scale = target.Scale;
-        if (HasPhysicsBsp)
+        if (target.State.Has(PhysicsState.HasPhysicsBsp))
         {
-            ReadOnlySpan<Frame> pose = target.PartPose;
-            int count = Math.Min(parts.Length, pose.Length);
+            int count = target.PlacedPartCount;
             for (int i = 0; i < count; i++)
             {
                 GfxObjAsset mesh = parts[i].Mesh;
                 if (mesh.Physics is null) continue;
-                if (IsFarAway(transition.Path, position, parts[i], pose[i].Origin, scale)) continue;
                 float partScale = (float)((double)parts[i].DefaultScale.Z * scale);
-                TransitionState state = mesh.FindCollisions(transition, PlacePart(position, pose[i], scale), partScale);
+                if (IsFarAway(transition.Path, position.CellId, target.PartOrigin(i), Math.Abs((double)partScale) * (mesh.PhysicsReach + FarMargin))) continue;
+                TransitionState state = mesh.FindCollisions(transition, new Position(position.CellId, target.PartFrame(i)), partScale);
                 if (state != TransitionState.OK) return state;
             }
 
@@ -183,7 +200,8 @@ public sealed class SetupAsset
             if (state != TransitionState.OK) return state;
         }
 
-        if (cylinders.Length > 0 || IsFarAway(transition.Path, position, Math.Abs((double)scale) * spheresReach)) return TransitionState.OK;
+        if (cylinders.Length > 0 || IsFarAway(transition.Path, position.CellId, position.Frame.Origin, Math.Abs((double)scale) * spheresReach))
+            return TransitionState.OK;
         foreach (ref readonly Sphere sphere in spheres.AsSpan())
         {
             TransitionState state = SphereCollision.IntersectsSphere(transition, position, scale, sphere, creature);
@@ -193,20 +211,13 @@ public sealed class SetupAsset
         return TransitionState.OK;
     }
 
-    /// <summary>True when a part's bounding sphere is missed however it is turned; saves turning it.</summary>
-    private static bool IsFarAway(SpherePath path, in Position target, in SetupPart part, in Vector3 poseOrigin, float scale)
-    {
-        double size = Math.Abs((double)scale), partSize = Math.Abs(part.DefaultScale.Z * (double)scale);
-        return IsFarAway(path, target, (size * RetailMath.Length(poseOrigin)) + (partSize * (part.Mesh.PhysicsReach + FarMargin)));
-    }
-
     /// <summary>
-    /// True when the body is so far from an object that nothing within <paramref name="reach"/> metres of the object's origin is touched. Never true where
-    /// retail's own test would not end in OK: a tenth of a metre, in either frame, covers the roundings.
+    /// True when the body is so far from a point that nothing within <paramref name="reach"/> metres of it is touched, however what is there is turned; saves
+    /// turning it. Never true where retail's own test would not end in OK: a tenth of a metre, in either frame, covers the roundings.
     /// </summary>
-    private static bool IsFarAway(SpherePath path, in Position target, double reach)
+    private static bool IsFarAway(SpherePath path, uint cellId, in Vector3 point, double reach)
     {
-        Vector3 origin = target.Frame.Origin + CellIds.BlockOffset(path.CheckPos.CellId, target.CellId);
+        Vector3 origin = point + CellIds.BlockOffset(path.CheckPos.CellId, cellId);
         // From the position, not from the global spheres: those do not see a turn of the position under test, the part's test does.
         double limit = reach + FarMargin + path.LocalReach;
         // False, so that nothing is skipped, when a scale is NaN.
@@ -216,7 +227,9 @@ public sealed class SetupAsset
     /// <summary>Adds a way of putting the object down, while the asset is being built; the first of two with one number counts.</summary>
     internal SetupAsset With(uint placement, Frame[] frames)
     {
-        if (placements.TryAdd(placement, frames) && placement == 0) defaultPlacement = frames;
+        if (!placements.TryAdd(placement, frames)) return this;
+        if (placement == 0) defaultPlacement = frames;
+        else if (placement == Resting) resting = frames;
         return this;
     }
 }

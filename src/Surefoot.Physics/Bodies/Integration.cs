@@ -13,7 +13,7 @@ public sealed partial class PhysicsBody
 
     internal const double MinQuantum = 1.0 / 30;
     internal const double MaxQuantum = 1.0 / 5;
-    private const double HugeQuantum = 2.0;
+    internal const double HugeQuantum = 2.0;
     private const double ActivityRadius = 96.0;
 
     private const double SmallVelocitySquared = 0.0625;

@@ -10,7 +10,7 @@ namespace Surefoot.Physics.Bodies;
 /// <c>BodyPlacement</c>, <c>WorldEntry</c>.
 /// </summary>
 /// <remarks>Retail: CPhysicsObj; specification 02.</remarks>
-public sealed partial class PhysicsBody : WorldObject, IMotionBody
+public sealed partial class PhysicsBody : WorldObject, IMotionBody, IHookTarget
 {
     /// <summary>Fastest a body is set to move, m/s.</summary>
     public const float MaxVelocity = 50f;
@@ -36,7 +36,6 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody
         Scale = scale;
         updateTime = engine.Now;
         Shadows = new ShadowObject[UsualShadows];
-        partPose = setup is { HasPhysicsBsp: true } ? new Frame[setup.Parts.Length] : [];
         UpdateParts();
     }
 
@@ -237,6 +236,7 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody
     public void Seat(in BodySeat seat)
     {
         SeatAt(seat.Position, engine.World.GetVisible(seat.Position.CellId));
+        UpdateParts();
         velocity = seat.Velocity;
         Transient = (Transient & TransientState.Active) | (seat.Transient & ~TransientState.Active);
         contactPlane = seat.ContactPlane;

@@ -24,6 +24,14 @@ internal struct StateHash()
         Add(value.Y);
         Add(value.Z);
     }
+
+    internal void Add(in Quaternion value)
+    {
+        Add(value.X);
+        Add(value.Y);
+        Add(value.Z);
+        Add(value.W);
+    }
 }
 
 /// <content>What of a body is state.</content>
@@ -36,9 +44,7 @@ public sealed partial class PhysicsBody
         hash.Add((ulong)Transient);
         hash.Add(PositionField.CellId);
         hash.Add(PositionField.Frame.Origin);
-        Quaternion q = PositionField.Frame.Rotation;
-        hash.Add(new Vector3(q.X, q.Y, q.Z));
-        hash.Add(q.W);
+        hash.Add(PositionField.Frame.Rotation);
         hash.Add(velocity);
         hash.Add(omega);
         hash.Add(contactPlane.Normal);

@@ -6,12 +6,16 @@ namespace Surefoot.Physics.Bodies;
 public sealed partial class PhysicsBody
 {
     /// <summary>Stores a new state word. Gravity takes effect at the next commit or change of ground; hiding and showing do at once.</summary>
-    /// <param name="value">The word; its <see cref="PhysicsState.HasPhysicsBsp"/> is replaced by what the body's parts have.</param>
+    /// <param name="value">
+    /// The word, taken as it is: its <see cref="PhysicsState.HasPhysicsBsp"/> decides from now on between the trees of the parts and cylinders or spheres.
+    /// </param>
     /// <remarks>Retail: CPhysicsObj::set_state @0x00514DD0.</remarks>
     public void SetState(PhysicsState value)
     {
-        bool wasHidden = State.Has(PhysicsState.Hidden), isHidden = value.Has(PhysicsState.Hidden);
-        State = WithShapeBit(value);
+        bool wasHidden = State.Has(PhysicsState.Hidden), isHidden = value.Has(PhysicsState.Hidden), hadTrees = State.Has(PhysicsState.HasPhysicsBsp);
+        State = value;
+        if (!value.Has(PhysicsState.HasPhysicsBsp)) ForgetParts();
+        else if (!hadTrees) UpdateParts();
         if (wasHidden != isHidden) SetHidden(isHidden);
     }
 

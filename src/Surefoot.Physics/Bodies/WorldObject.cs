@@ -1,6 +1,5 @@
 using System.Numerics;
 using Surefoot.Physics.Assets;
-using Surefoot.Physics.Geometry;
 using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Bodies;
@@ -12,12 +11,13 @@ public partial class WorldObject
     /// <summary>An object with this id and shape.</summary>
     /// <param name="id">Object id; 0 for scenery and other things without one.</param>
     /// <param name="setup">Its shape; null for an object without parts.</param>
-    /// <param name="state">Physics state word.</param>
+    /// <param name="state">Physics state word; its <see cref="PhysicsState.HasPhysicsBsp"/> is replaced by what the parts have.</param>
+    /// <remarks>Retail: CPhysicsObj::CacheHasPhysicsBSP @0x0050F570; specification 02, 2.2.</remarks>
     public WorldObject(uint id, SetupAsset? setup, PhysicsState state)
     {
         Id = id;
         Setup = setup;
-        State = WithShapeBit(state);
+        State = setup is { HasPhysicsBsp: true } ? state | PhysicsState.HasPhysicsBsp : state & ~PhysicsState.HasPhysicsBsp;
     }
 
     /// <summary>Object id.</summary>
@@ -64,16 +64,8 @@ public partial class WorldObject
     /// <summary>Radius, metres; 0 without parts.</summary>
     public float Radius => Setup is null ? 0f : (float)((double)Setup.Radius * Scale);
 
-    /// <summary>Frames of the parts in the object's frame: those of the default placement, unless something animates them.</summary>
-    internal virtual ReadOnlySpan<Frame> PartPose => Setup is null ? default : Setup.Placement(0);
-
     /// <summary>Where it is, for those who move it.</summary>
     private protected Position PositionField = Position.Nowhere;
-
-    /// <summary>A state word whose <see cref="PhysicsState.HasPhysicsBsp"/> says what the parts have: never what a setup's flags or a server's word say.</summary>
-    /// <remarks>Retail: CPhysicsObj::CacheHasPhysicsBSP @0x0050F570; specification 06, 2.</remarks>
-    private protected PhysicsState WithShapeBit(PhysicsState word) =>
-        Setup is { HasPhysicsBsp: true } ? word | PhysicsState.HasPhysicsBsp : word & ~PhysicsState.HasPhysicsBsp;
 
     /// <summary>Seats the object without any test.</summary>
     internal void SeatAt(in Position position, ObjCell? cell)

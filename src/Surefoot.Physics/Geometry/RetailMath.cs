@@ -78,6 +78,9 @@ public static class RetailMath
     /// <summary>True when no component is NaN or infinite.</summary>
     public static bool IsFinite(in Vector3 v) => float.IsFinite(v.X) && float.IsFinite(v.Y) && float.IsFinite(v.Z);
 
+    /// <summary>The vector, or zero when a component is NaN or infinite: such a number would poison every position from then on.</summary>
+    internal static Vector3 FiniteOrZero(in Vector3 v) => IsFinite(v) ? v : Vector3.Zero;
+
     /// <summary>N·p + d, unrounded: the signed distance of a point from a plane with a unit normal, in metres.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Distance(in Plane plane, in Vector3 point) => Dot(plane.Normal, point) + plane.D;

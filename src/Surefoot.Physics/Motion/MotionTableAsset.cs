@@ -1,4 +1,5 @@
 using System.Numerics;
+using Surefoot.Physics.Assets;
 using Surefoot.Physics.Geometry;
 
 namespace Surefoot.Physics.Motion;

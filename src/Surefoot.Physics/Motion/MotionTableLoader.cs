@@ -1,6 +1,6 @@
-using System.Numerics;
 using Surefoot.Dats;
 using Surefoot.Dats.Records;
+using Surefoot.Physics.Assets;
 using Surefoot.Physics.Geometry;
 
 namespace Surefoot.Physics.Motion;
@@ -46,47 +46,14 @@ public static class MotionTableLoader
             foreach (MotionAnimation span in data.Animations)
                 if (Find(span.AnimationId) is { } animation && float.IsFinite(span.FramesPerSecond))
                     spans.Add(new AnimationSpan(animation, span.LowFrame, span.HighFrame, span.FramesPerSecond));
-            return new MotionAsset(spans.ToArray(), FiniteOrZero(data.Velocity), FiniteOrZero(data.Omega), data.Bitfield);
+            return new MotionAsset(spans.ToArray(), RetailMath.FiniteOrZero(data.Velocity), RetailMath.FiniteOrZero(data.Omega), data.Bitfield);
         }
 
         AnimationAsset? Find(uint id)
         {
-            if (!animations.TryGetValue(id, out AnimationAsset? asset)) animations.Add(id, asset = Flatten(findAnimation(id), withParts));
+            if (!animations.TryGetValue(id, out AnimationAsset? asset))
+                animations.Add(id, asset = findAnimation(id) is { } record ? AnimationAsset.Build(record, withParts) : null);
             return asset;
         }
     }
-
-    /// <summary>An animation without frames is as good as none.</summary>
-    private static AnimationAsset? Flatten(Animation? record, bool withParts)
-    {
-        if (record is null || record.Frames.Length == 0) return null;
-        Frame[] rootMotion = [.. record.RootMotion.Select(FrameOf)];
-        Frame[] parts = withParts ? [.. record.Frames.SelectMany(static frame => frame.Parts).Select(FrameOf)] : [];
-        return new AnimationAsset(record.Id, record.Frames.Length, rootMotion, parts) { Hooks = HooksOf(record) };
-    }
-
-    private static Frame FrameOf(DatFrame frame) => new(FiniteOrZero(frame.Origin), frame.Rotation);
-
-    /// <summary>The hooks that matter to movement; a scale that is none is left out.</summary>
-    private static MotionHook[] HooksOf(Animation record)
-    {
-        List<MotionHook> hooks = [];
-        for (int i = 0; i < record.Frames.Length; i++)
-        {
-            foreach (AnimationHook hook in record.Frames[i].Hooks)
-            {
-                if (hook is EtherealHook { Ethereal: int on })
-                    hooks.Add(new MotionHook(MotionHookKind.Ethereal, i, hook.Direction, new Vector3(on != 0 ? 1 : 0, 0, 0)));
-                else if (hook is SetOmegaHook spin)
-                    hooks.Add(new MotionHook(MotionHookKind.Omega, i, hook.Direction, FiniteOrZero(spin.Omega)));
-                else if (hook is ScaleHook { End: > 0 and <= float.MaxValue } scale)
-                    hooks.Add(new MotionHook(MotionHookKind.Scale, i, hook.Direction, new Vector3(scale.End, float.IsFinite(scale.Time) ? scale.Time : 0, 0)));
-            }
-        }
-
-        return [.. hooks];
-    }
-
-    /// <summary>A number that is none would poison every position from then on.</summary>
-    private static Vector3 FiniteOrZero(Vector3 v) => RetailMath.IsFinite(v) ? v : Vector3.Zero;
 }

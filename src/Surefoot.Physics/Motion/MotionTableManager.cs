@@ -1,3 +1,4 @@
+using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
 
 namespace Surefoot.Physics.Motion;
@@ -85,18 +86,13 @@ public sealed class MotionTableManager
     /// <summary>Does what the animations have passed since the last call; a hook that leads to another one sees it done as well.</summary>
     /// <param name="owner">The body; null when only the ends of animations count.</param>
     /// <remarks>Retail: the second half of CPhysicsObj::process_hooks @0x00511550.</remarks>
-    internal void ProcessHooks(PhysicsBody? owner)
+    internal void ProcessHooks(IHookTarget? owner)
     {
         while (Sequence.Hooks.Count > 0)
         {
             MotionHook hook = Sequence.Hooks.Dequeue();
-            switch (hook.Kind)
-            {
-                case MotionHookKind.AnimationDone: AnimationDone(success: true); break;
-                case MotionHookKind.Ethereal: owner?.SetEthereal(hook.Value.X != 0); break;
-                case MotionHookKind.Omega: owner?.SetOmega(hook.Value); break;
-                case MotionHookKind.Scale: owner?.SetScale(hook.Value.X, hook.Value.Y); break;
-            }
+            if (hook.Kind == MotionHookKind.AnimationDone) AnimationDone(success: true);
+            else if (owner is not null) hook.ActOn(owner);
         }
     }
 

@@ -20,6 +20,17 @@ internal sealed class AssetFinder(PhysicsDataCache cache)
         return null;
     }
 
+    /// <summary>What moves the parts of a static for ever; null for nothing, also when it is left out: the object then stays at its rest pose.</summary>
+    /// <param name="setup">Its shape.</param>
+    /// <param name="faults">Decides on faults.</param>
+    internal AnimationAsset? FindAnimation(SetupAsset setup, LandblockFaults faults)
+    {
+        uint id = setup.DefaultAnimationId;
+        if (id == 0 || TryGet(id, named => cache.GetDefaultAnimation(named, setup.Id), out AnimationAsset? animation, out Exception? fault)) return animation;
+        faults.LeaveOut(LeftOutKind.Animation, id, setup.Id, fault);
+        return null;
+    }
+
     /// <summary>The shapes of rooms, or why they cannot be had.</summary>
     internal bool TryGetEnvironment(uint id, [NotNullWhen(true)] out EnvironmentAsset? environment, [NotNullWhen(false)] out Exception? fault) =>
         TryGet(id, cache.GetEnvironment, out environment, out fault);

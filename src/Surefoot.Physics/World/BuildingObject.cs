@@ -26,11 +26,10 @@ public sealed class BuildingObject
     /// <remarks>Retail: CBuildingObj::find_building_collisions @0x006B5300.</remarks>
     internal TransitionState FindBuildingCollisions(Transition transition)
     {
-        ReadOnlySpan<Frame> pose = Shell.PartPose;
-        if (Shell.Setup is not { Parts.Length: > 0 } setup || pose.IsEmpty) return TransitionState.OK;
-        SetupPart part = setup.Parts[0];
+        if (Shell.PlacedPartCount == 0) return TransitionState.OK;
+        SetupPart part = Shell.Setup!.Parts[0];
         transition.Path.BuildingCheck = true;
-        TransitionState state = part.Mesh.FindCollisions(transition, SetupAsset.PlacePart(Shell.Position, pose[0], Shell.Scale), part.DefaultScale.Z);
+        TransitionState state = part.Mesh.FindCollisions(transition, new Position(Shell.Position.CellId, Shell.PartFrame(0)), part.DefaultScale.Z);
         transition.Path.BuildingCheck = false;
         if (state != TransitionState.OK && !transition.Object.Has(MoverFlags.Contact)) transition.Collision.CollidedWithEnvironment = true;
         return state;

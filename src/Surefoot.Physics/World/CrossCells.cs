@@ -22,19 +22,18 @@ internal sealed class CrossCells(PhysicsWorld world)
     internal void Find(WorldObject item)
     {
         Cells.DoNotLoadCells = false;
-        if (item.Setup is { HasPhysicsBsp: true } setup) ByParts(item, setup, item.Scale);
+        if (item.State.Has(PhysicsState.HasPhysicsBsp)) ByParts(item);
         else if (item.Setup is { Cylinders.IsEmpty: false } standing) ByCylinders(item, standing);
         else BySortingSphere(item);
     }
 
-    /// <summary>The cells of a static object. Its scale takes no part, as when retail places scenery, which is scaled afterwards.</summary>
+    /// <summary>The cells of a static object, by where its parts were when it was made: they do not follow an animation.</summary>
     /// <remarks>Retail: CPhysicsObj::calc_cross_cells_static @0x00515160.</remarks>
     internal void FindStatic(StaticObject item)
     {
         Cells.DoNotLoadCells = true;
-        SetupAsset setup = item.Setup!;
-        if (!setup.HasPhysicsBsp && !setup.Cylinders.IsEmpty) ByCylinders(item, setup);
-        else ByParts(item, setup, 1f);
+        if (!item.State.Has(PhysicsState.HasPhysicsBsp) && item.Setup is { Cylinders.IsEmpty: false } standing) ByCylinders(item, standing);
+        else ByParts(item);
     }
 
     /// <summary>Only the first ten cylinders count, each as a sphere about its low point; retail scales neither.</summary>
@@ -60,27 +59,26 @@ internal sealed class CrossCells(PhysicsWorld world)
     }
 
     /// <remarks>Retail: CPhysicsObj::find_bbox_cell_list @0x00510FC0. No containment, no pruning.</remarks>
-    private void ByParts(WorldObject item, SetupAsset setup, float scale)
+    private void ByParts(WorldObject item)
     {
         Cells.Clear();
         if (item.Cell is null) return;
         Cells.Add(item.Cell.Id, item.Cell);
-        ReadOnlySpan<PartExtent> extents = parts.AsSpan(0, CollectParts(item, setup, scale));
+        ReadOnlySpan<PartExtent> extents = parts.AsSpan(0, CollectParts(item));
         for (int k = 0; k < Cells.Count; k++) Cells[k].Cell?.FindTransitCells(world, extents, Cells);
     }
 
-    private int CollectParts(WorldObject item, SetupAsset setup, float scale)
+    private int CollectParts(WorldObject item)
     {
-        ReadOnlySpan<Frame> pose = item.PartPose;
-        int count = Math.Min(setup.Parts.Length, pose.Length), used = 0;
+        int count = item.PlacedPartCount, used = 0;
         if (parts.Length < count) parts = new PartExtent[count];
         for (int i = 0; i < count; i++)
         {
-            GfxObjAsset mesh = setup.Parts[i].Mesh;
+            GfxObjAsset mesh = item.Setup!.Parts[i].Mesh;
             // A mesh without vertices is nowhere.
             if (mesh.BoundingBox.IsEmpty && !mesh.Always2D) continue;
-            parts[used++] = new PartExtent(
-                SetupAsset.PlacePart(item.Position, pose[i], scale), mesh.BoundingBox, mesh.AnySphere ?? default, mesh.AnySphere.HasValue, mesh.Always2D);
+            Position place = new(item.Position.CellId, item is StaticObject still ? still.FirstPartFrame(i) : item.PartFrame(i));
+            parts[used++] = new PartExtent(place, mesh.BoundingBox, mesh.AnySphere ?? default, mesh.AnySphere.HasValue, mesh.Always2D);
         }
 
         return used;

@@ -43,7 +43,7 @@ public interface ICellWorld
     /// <remarks>Retail: CPhysicsObj::calc_cross_cells @0x00515230.</remarks>
     void CalcCrossCells(WorldObject item);
 
-    /// <summary>Does any other body overlap this one where it stands?</summary>
+    /// <summary>Does any other body overlap this object where it stands?</summary>
     /// <remarks>Retail: CPhysicsObj::ethereal_check_for_collisions @0x00510A40.</remarks>
-    bool AnyOverlaps(PhysicsBody body);
+    bool AnyOverlaps(WorldObject item);
 }

@@ -6,6 +6,7 @@ public sealed class Landblock
 {
     private readonly LandCell[] land = new LandCell[TerrainSurface.CellCount];
     private readonly List<StaticObject> statics = [];
+    private readonly List<StaticObject> animated = [];
     private readonly List<BuildingObject> buildings = [];
     private EnvCell[] rooms = [];
 
@@ -32,6 +33,9 @@ public sealed class Landblock
 
     /// <summary>Objects of the block, then its scenery, then the objects of its rooms.</summary>
     public IReadOnlyList<StaticObject> StaticObjects => statics;
+
+    /// <summary>Those of the block's statics, shells of buildings among them, whose parts an animation moves.</summary>
+    public IReadOnlyList<StaticObject> AnimatedStatics => animated;
 
     /// <summary>Buildings, also those that share a cell with an earlier one and are never asked.</summary>
     public IReadOnlyList<BuildingObject> Buildings => buildings;
@@ -68,10 +72,15 @@ public sealed class Landblock
     internal void AddBuilding(LandCell cell, BuildingObject building)
     {
         buildings.Add(building);
+        if (building.Shell.Animation is not null) animated.Add(building.Shell);
         cell.Building ??= building;
     }
 
-    internal void AddStatic(StaticObject item) => statics.Add(item);
+    internal void AddStatic(StaticObject item)
+    {
+        statics.Add(item);
+        if (item.Animation is not null) animated.Add(item);
+    }
 
     /// <summary>Every cell of the block: land by index, then rooms by id.</summary>
     internal IEnumerable<ObjCell> Cells => land.Concat<ObjCell>(rooms);

@@ -42,7 +42,14 @@ internal sealed class LandblockBuilder(PhysicsDataCache cache, RegionAsset regio
         StaticOrder order = new(block.Id);
         if (info is not null) AddContents(block, info, order, faults);
         foreach (SceneryItem item in Scenery.Of(block, region, assets, faults))
-            block.AddStatic(new StaticObject(item.Setup, new Position(item.Cell.Id, item.Frame), order.NextOnLand(), item.Cell, item.Scale) { IsScenery = true });
+        {
+            block.AddStatic(new StaticObject(
+                item.Setup, new Position(item.Cell.Id, item.Frame), order.NextOnLand(), item.Cell, item.Scale, assets.FindAnimation(item.Setup, faults))
+            {
+                IsScenery = true,
+            });
+        }
+
         if (info is not null) AddRooms(block, info, order, faults);
         return block;
     }
@@ -52,7 +59,7 @@ internal sealed class LandblockBuilder(PhysicsDataCache cache, RegionAsset regio
         foreach (Building building in info.Buildings)
         {
             if (Place(block, LeftOutKind.Building, building.ModelId, building.Frame, info, faults) is not var (setup, place, cell)) continue;
-            StaticObject shell = new(setup, place, order.NextOnLand(), cell, 1f);
+            StaticObject shell = new(setup, place, order.NextOnLand(), cell, 1f, assets.FindAnimation(setup, faults));
             BuildingPortal[] portals = [.. building.Portals.Select(p => new BuildingPortal(block.Id | p.OtherCell, (short)p.OtherPortal))];
             block.AddBuilding(cell, new BuildingObject(shell, portals));
         }
@@ -60,7 +67,7 @@ internal sealed class LandblockBuilder(PhysicsDataCache cache, RegionAsset regio
         foreach (Dats.Records.StaticObject thing in info.Objects)
         {
             if (Place(block, LeftOutKind.Object, thing.ObjectId, thing.Frame, info, faults) is var (setup, place, cell))
-                block.AddStatic(new StaticObject(setup, place, order.NextOnLand(), cell, 1f));
+                block.AddStatic(new StaticObject(setup, place, order.NextOnLand(), cell, 1f, assets.FindAnimation(setup, faults)));
         }
 
         foreach (CellRestriction restriction in info.Restrictions)
@@ -142,7 +149,7 @@ internal sealed class LandblockBuilder(PhysicsDataCache cache, RegionAsset regio
         {
             if (thing.ObjectId == 0 || assets.FindSetup(thing.ObjectId, LeftOutKind.Object, id, faults) is not { } setup) continue;
             if (Seat(LeftOutKind.Object, thing.ObjectId, id, thing.Frame, record, faults) is { } place)
-                block.AddStatic(new StaticObject(setup, place, order.NextInRoom(), room, 1f));
+                block.AddStatic(new StaticObject(setup, place, order.NextInRoom(), room, 1f, assets.FindAnimation(setup, faults)));
         }
 
         return true;

@@ -48,7 +48,7 @@ public sealed partial class PhysicsWorld
         if (FindLandblock(blockId) is not null) return true;
         if (Build(CellIds.BlockOf(blockId)) is not { } block) return false;
         Add(block);
-        TellLoaded(block.Id);
+        TellLoaded(block);
         return true;
     }
 
@@ -63,7 +63,7 @@ public sealed partial class PhysicsWorld
         ArgumentOutOfRangeException.ThrowIfNegative(radius);
         radius = Math.Min(radius, MapBlocks);
         int x = (int)(position.CellId >> 24), y = (int)((position.CellId >> 16) & 0xFF);
-        List<uint> added = [];
+        List<Landblock> added = [];
         try
         {
             for (int i = Math.Max(x - radius, 0); i <= Math.Min(x + radius, MapBlocks - 1); i++)
@@ -73,14 +73,14 @@ public sealed partial class PhysicsWorld
                     uint id = ((uint)i << 24) | ((uint)j << 16);
                     if (FindLandblock(id) is not null || Build(id) is not { } block) continue;
                     Add(block);
-                    added.Add(id);
+                    added.Add(block);
                 }
             }
         }
         finally
         {
             // Bodies come back to land whose neighbours are there.
-            foreach (uint id in added) TellLoaded(id);
+            foreach (Landblock block in added) TellLoaded(block);
         }
     }
 
@@ -152,11 +152,11 @@ public sealed partial class PhysicsWorld
         engines.Add(new WeakReference<PhysicsEngine>(engine));
     }
 
-    private void TellLoaded(uint blockId)
+    private void TellLoaded(Landblock block)
     {
         foreach (WeakReference<PhysicsEngine> reference in engines)
         {
-            if (reference.TryGetTarget(out PhysicsEngine? engine)) engine.OnLandblockLoaded(blockId);
+            if (reference.TryGetTarget(out PhysicsEngine? engine)) engine.OnLandblockLoaded(block);
         }
     }
 }

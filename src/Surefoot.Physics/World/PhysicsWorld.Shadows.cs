@@ -45,16 +45,16 @@ public sealed partial class PhysicsWorld
     }
 
     /// <inheritdoc/>
-    public bool AnyOverlaps(PhysicsBody body)
+    public bool AnyOverlaps(WorldObject item)
     {
-        ArgumentNullException.ThrowIfNull(body);
-        for (int i = 0; i < body.ShadowCount; i++)
+        ArgumentNullException.ThrowIfNull(item);
+        for (int i = 0; i < item.ShadowCount; i++)
         {
-            if (body.Shadows[i].Cell is not { } cell) continue;
+            if (item.Shadows[i].Cell is not { } cell) continue;
             for (int k = 0; k < cell.ShadowCount; k++)
             {
                 WorldObject other = cell.ShadowAt(k);
-                if (!ReferenceEquals(other, body) && other is PhysicsBody { Parent: null } mover && mover.Overlaps(body)) return true;
+                if (!ReferenceEquals(other, item) && other is PhysicsBody { Parent: null } mover && mover.Overlaps(item)) return true;
             }
         }
 

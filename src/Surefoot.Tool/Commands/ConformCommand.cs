@@ -40,8 +40,12 @@ internal static class ConformCommand
             if (parsed.GetValue(scene) is { } prefix) cases.RemoveAll(c => !c.Scene.StartsWith(prefix, StringComparison.OrdinalIgnoreCase));
             using WalkScene world = WalkScene.OpenWhole(parsed.GetRequiredValue(dats)!);
             ConformanceReport report = Replay(world, cases, parsed.GetValue(json));
-            OracleReplay oracle = new(world.World, world.Cache.GetSetup);
-            foreach (string path in oracles) oracle.Score(path, report);
+            if (oracles.Count > 0)
+            {
+                OracleReplay oracle = OracleReplay.Over(world.Cache.Source, world.World.Landblocks.Select(block => block.Id));
+                foreach (string path in oracles) oracle.Score(path, report);
+            }
+
             if (parsed.GetValue(json)) Console.Out.WriteLine(JsonSerializer.Serialize(report.ToJson(), Json));
             else Print(report, parsed.GetRequiredValue(worst));
             return ExitCode.Done;

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Numerics;
 using System.Text.Json;
+using Surefoot.Dats;
 using Surefoot.Physics;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
@@ -28,6 +29,15 @@ internal sealed class OracleReplay(ICellWorld world, Func<uint, SetupAsset> setu
     /// <param name="Difference">What differs; null when nothing does.</param>
     /// <param name="Departure">Why a difference is expected although the result is not listed; null when none is.</param>
     internal sealed record Result(string Id, int Step, string Family, string Tag, string? Difference, string? Departure = null);
+
+    /// <summary>A replay over a world of these landblocks, with its rooms read as the peer reads them.</summary>
+    internal static OracleReplay Over(IDatSource source, IEnumerable<uint> blocks)
+    {
+        PhysicsDataCache cache = new(new PeerPortals(source));
+        PhysicsWorld world = new(cache);
+        foreach (uint id in blocks) world.LoadLandblock(id);
+        return new OracleReplay(world, cache.GetSetup);
+    }
 
     /// <summary>Replays every case of a file.</summary>
     internal IEnumerable<Result> Run(string path)

@@ -15,7 +15,7 @@ internal static class ShapeSize
         Vector3 least = new(float.PositiveInfinity), most = new(float.NegativeInfinity);
         if (setup.HasPhysicsBsp)
         {
-            ReadOnlySpan<Frame> pose = setup.Placement(0);
+            ReadOnlySpan<Frame> pose = setup.RestPose;
             for (int i = 0; i < Math.Min(setup.Parts.Length, pose.Length); i++)
             {
                 if (setup.Parts[i].Mesh.Physics is not { } tree) continue;

@@ -4,7 +4,7 @@ using Surefoot.Physics.Geometry;
 
 namespace Surefoot.Workbench.Simulation;
 
-/// <summary>The parts of an object whose polygons stop bodies, where its setup puts them.</summary>
+/// <summary>The parts of an object whose polygons stop bodies, where they are now.</summary>
 internal static class SolidParts
 {
     /// <summary>The collision polygons of each such part, the part's frame in the object's landblock, and the part's scale.</summary>
@@ -12,12 +12,11 @@ internal static class SolidParts
     public static IEnumerable<(PolygonSet Polygons, Frame Frame, float Scale)> Of(WorldObject item)
     {
         if (item.Setup is not { } setup) yield break;
-        int count = Math.Min(setup.Parts.Length, setup.Placement(0).Length);
-        for (int i = 0; i < count; i++)
+        for (int i = 0; i < item.PlacedPartCount; i++)
         {
             SetupPart part = setup.Parts[i];
             if (part.Mesh.Physics is not { } tree) continue;
-            yield return (tree.Polygons, SetupAsset.PlacePart(item.Position, setup.Placement(0)[i], item.Scale).Frame, part.DefaultScale.Z * item.Scale);
+            yield return (tree.Polygons, item.PartFrame(i), part.DefaultScale.Z * item.Scale);
         }
     }
 }

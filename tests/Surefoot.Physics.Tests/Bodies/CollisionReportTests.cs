@@ -119,14 +119,6 @@ public class CollisionReportTests
         Assert.Equal(PhysicsState.ReportCollisions, f.Body.State & (PhysicsState.IgnoreCollisions | PhysicsState.ReportCollisions));
     }
 
-    [Fact, Behaviour("body.state.shape-bit-comes-from-the-parts", "spec/06, 2")]
-    public void A_state_word_from_a_server_does_not_say_whether_the_parts_have_a_tree()
-    {
-        BodyFixture f = new();
-        f.Body.SetState(PhysicsState.Default | PhysicsState.HasPhysicsBsp);
-        Assert.Equal(PhysicsState.Default, f.Body.State);
-    }
-
     [Fact, Behaviour("body.reports.removed-while-told", "spec/02, 4.15 report_collision_end")]
     public void A_body_may_be_removed_by_the_one_who_is_told_of_an_end()
     {

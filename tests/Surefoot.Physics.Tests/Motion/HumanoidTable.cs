@@ -1,4 +1,5 @@
 using System.Numerics;
+using Surefoot.Physics.Assets;
 using Surefoot.Physics.Motion;
 
 namespace Surefoot.Physics.Tests.Motion;

@@ -1,5 +1,6 @@
 using System.Numerics;
 using Surefoot.Dats.Records;
+using Surefoot.Physics.Assets;
 using Surefoot.Physics.Motion;
 
 namespace Surefoot.Physics.Tests.Motion;

@@ -1,5 +1,6 @@
 using System.Numerics;
 using CsCheck;
+using Surefoot.Physics.Assets;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
 

@@ -51,7 +51,7 @@ internal sealed class StubWorld : ICellWorld
     {
     }
 
-    public bool AnyOverlaps(PhysicsBody body) => false;
+    public bool AnyOverlaps(WorldObject item) => false;
 
     internal static Plane Flat(float height) => new(0, 0, 1, -height);
 

@@ -1,6 +1,6 @@
 using System.Numerics;
 
-namespace Surefoot.Physics.Motion;
+namespace Surefoot.Physics.Assets;
 
 /// <summary>What an animation does to its body besides moving it.</summary>
 internal enum MotionHookKind

@@ -1,6 +1,9 @@
+using System.Numerics;
+using Surefoot.Dats.Records;
 using Surefoot.Physics.Geometry;
+using Frame = Surefoot.Physics.Geometry.Frame;
 
-namespace Surefoot.Physics.Motion;
+namespace Surefoot.Physics.Assets;
 
 /// <summary>
 /// What movement needs of an animation: how many frames it has, how the body itself moves in each, where its parts are, and what happens then. Immutable.
@@ -50,5 +53,38 @@ public sealed class AnimationAsset
     {
         get => hooks;
         init => hooks = value.ToArray();
+    }
+
+    /// <summary>Flattens a record; null for an animation without frames, which is as good as none.</summary>
+    /// <param name="record">The record.</param>
+    /// <param name="withParts">Keep where the parts are as well.</param>
+    internal static AnimationAsset? Build(Animation record, bool withParts)
+    {
+        if (record.Frames.Length == 0) return null;
+        Frame[] rootMotion = [.. record.RootMotion.Select(FrameOf)];
+        Frame[] parts = withParts ? [.. record.Frames.SelectMany(static frame => frame.Parts).Select(FrameOf)] : [];
+        return new AnimationAsset(record.Id, record.Frames.Length, rootMotion, parts) { Hooks = HooksOf(record) };
+    }
+
+    private static Frame FrameOf(DatFrame frame) => new(RetailMath.FiniteOrZero(frame.Origin), frame.Rotation);
+
+    /// <summary>The hooks that matter to movement; a scale that is none is left out.</summary>
+    private static MotionHook[] HooksOf(Animation record)
+    {
+        List<MotionHook> hooks = [];
+        for (int i = 0; i < record.Frames.Length; i++)
+        {
+            foreach (AnimationHook hook in record.Frames[i].Hooks)
+            {
+                if (hook is EtherealHook { Ethereal: int on })
+                    hooks.Add(new MotionHook(MotionHookKind.Ethereal, i, hook.Direction, new Vector3(on != 0 ? 1 : 0, 0, 0)));
+                else if (hook is SetOmegaHook spin)
+                    hooks.Add(new MotionHook(MotionHookKind.Omega, i, hook.Direction, RetailMath.FiniteOrZero(spin.Omega)));
+                else if (hook is ScaleHook { End: > 0 and <= float.MaxValue } scale)
+                    hooks.Add(new MotionHook(MotionHookKind.Scale, i, hook.Direction, new Vector3(scale.End, float.IsFinite(scale.Time) ? scale.Time : 0, 0)));
+            }
+        }
+
+        return [.. hooks];
     }
 }
