@@ -73,6 +73,7 @@ public sealed class PhysicsEngine
         if (id == 0 || bodies.Find(id) is not null) throw new ArgumentException($"The body id 0x{id:X8} is 0 or taken.", nameof(id));
         if (!(scale > 0) || !float.IsFinite(scale)) throw new ArgumentException("The scale is not a positive number.", nameof(scale));
         PhysicsBody body = new(this, id, setup, state & ~PhysicsState.Static, weenie, scale);
+        body.ListContradictions();
         bodies.Add(body);
         return body;
     }

@@ -1,5 +1,6 @@
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Geometry;
+using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Bodies;
 
@@ -18,12 +19,15 @@ public sealed partial class PhysicsBody
 
     /// <summary>
     /// Puts the body's parts down in another way than <see cref="SetupAsset.Resting"/>, as a server's description of a body without movement tells. A way that
-    /// its setup lacks is the default way, 0; one that lacks that too leaves the parts where they are. An animation goes before it.
+    /// its setup lacks is listed in <see cref="ICellWorld.LeftOut"/> and is the default way, 0; one that lacks that too leaves the parts where they are. An
+    /// animation goes before it.
     /// </summary>
     /// <param name="value">Number of the placement: 0 by default, 0x67 on a hook and so on.</param>
     /// <remarks>Retail: CPhysicsObj::SetPlacementFrame, CPartArray::SetPlacementFrame; specification 06, 3.</remarks>
     public void SetPlacement(uint value)
     {
+        if (Setup is not null && !Setup.HasPlacement(value))
+            engine.World.LeftOut.Add(new LeftOutItem(LeftOutKind.Placement, Setup.Id, $"the setup has no placement 0x{value:X}") { FirstIn = Id });
         placement = value;
         UpdateParts();
     }

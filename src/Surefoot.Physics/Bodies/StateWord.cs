@@ -1,4 +1,5 @@
 using Surefoot.Physics.Transitions;
+using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Bodies;
 
@@ -7,13 +8,15 @@ public sealed partial class PhysicsBody
 {
     /// <summary>Stores a new state word. Gravity takes effect at the next commit or change of ground; hiding and showing do at once.</summary>
     /// <param name="value">
-    /// The word, taken as it is: its <see cref="PhysicsState.HasPhysicsBsp"/> decides from now on between the trees of the parts and cylinders or spheres.
+    /// The word, taken as it is: its <see cref="PhysicsState.HasPhysicsBsp"/> decides from now on between the trees of the parts and cylinders or spheres. Bits
+    /// that contradict each other or the body's shape are listed in <see cref="ICellWorld.LeftOut"/>; the body keeps its pose.
     /// </param>
     /// <remarks>Retail: CPhysicsObj::set_state @0x00514DD0.</remarks>
     public void SetState(PhysicsState value)
     {
         bool wasHidden = State.Has(PhysicsState.Hidden), isHidden = value.Has(PhysicsState.Hidden), hadTrees = State.Has(PhysicsState.HasPhysicsBsp);
         State = value;
+        ListContradictions();
         if (!value.Has(PhysicsState.HasPhysicsBsp)) ForgetParts();
         else if (!hadTrees) UpdateParts();
         if (wasHidden != isHidden) SetHidden(isHidden);
@@ -69,6 +72,17 @@ public sealed partial class PhysicsBody
         State |= PhysicsState.Ethereal;
         Transient |= TransientState.CheckEthereal;
         return false;
+    }
+
+    /// <summary>Lists what the state word says that cannot be so.</summary>
+    internal void ListContradictions()
+    {
+        if (State.Has(PhysicsState.HasPhysicsBsp) && Setup is not { HasPhysicsBsp: true }) List("HAS_PHYSICS_BSP, but no part has a collision tree");
+        if (State.Has(PhysicsState.HasDefaultAnim) && (Setup is null || Setup.DefaultAnimationId == 0)) List("HAS_DEFAULT_ANIM, but the setup names no animation");
+        if (State.Has(PhysicsState.Static) && State.Has(PhysicsState.Missile | PhysicsState.AlignPath | PhysicsState.Sledding))
+            List("STATIC, but MISSILE, ALIGNPATH or SLEDDING as well");
+
+        void List(string reason) => engine.World.LeftOut.Add(new LeftOutItem(LeftOutKind.StateBit, Setup?.Id ?? 0, reason) { FirstIn = Id });
     }
 
     /// <summary>Would <paramref name="target"/> be hit by this body where it stands?</summary>

@@ -28,6 +28,9 @@ public enum LeftOutKind
 
     /// <summary>A way of putting an object down; its id is that of the setup that lacks it.</summary>
     Placement,
+
+    /// <summary>A bit of a body's state word that contradicts another one or the body's shape; its id is that of the setup.</summary>
+    StateBit,
 }
 
 /// <summary>One thing that a world does without, and why.</summary>

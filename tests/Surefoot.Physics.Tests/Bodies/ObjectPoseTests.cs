@@ -60,6 +60,34 @@ public class ObjectPoseTests
         Assert.Equal(5f, PartAt(held));
     }
 
+    [Fact, Behaviour("object.pose.placement-of-a-body.absent-is-listed", "spec/06, 3; spec/07, 9.1")]
+    public void A_placement_that_a_setup_lacks_is_named_in_the_list_of_what_is_left_out()
+    {
+        PhysicsBody body = Body(Setup((0, 1), (Hook, 5)));
+        body.SetPlacement(Hook);
+        body.SetPlacement(0);
+        Assert.Empty(body.Engine.World.LeftOut);
+        body.SetPlacement(0x33);
+        body.SetPlacement(0x33);
+        LeftOutItem item = Assert.Single(body.Engine.World.LeftOut);
+        Assert.Equal((LeftOutKind.Placement, 0x02000001u, 2L, 1u), (item.Kind, item.Id, item.Count, item.FirstIn));
+        Assert.Equal("the setup has no placement 0x33", item.Reason);
+    }
+
+    [Theory, Behaviour("body.state.contradictions-are-listed", "spec/02, 2.2; spec/06, 2")]
+    [InlineData(PhysicsState.HasPhysicsBsp, "HAS_PHYSICS_BSP, but no part has a collision tree")]
+    [InlineData(PhysicsState.HasDefaultAnim, "HAS_DEFAULT_ANIM, but the setup names no animation")]
+    [InlineData(PhysicsState.Static | PhysicsState.Missile, "STATIC, but MISSILE, ALIGNPATH or SLEDDING as well")]
+    [InlineData(PhysicsState.Static | PhysicsState.Ethereal | PhysicsState.Gravity, null)]
+    public void A_state_word_with_contradictory_bits_is_listed_and_leaves_the_body_as_it_lies(PhysicsState word, string? reason)
+    {
+        PhysicsBody body = Body(new SetupAsset { Id = 0x02000001, Parts = [new SetupPart(new GfxObjAsset(), Vector3.One)] }.With(SetupAsset.Resting, [Records.FrameAt(new(3, 0, 0))]));
+        body.SetState(word);
+        Assert.Equal((word, 3f), (body.State, PartAt(body)));
+        Assert.Equal(reason is null ? [] : [reason], body.Engine.World.LeftOut.Select(item => item.Reason));
+        Assert.All(body.Engine.World.LeftOut, item => Assert.Equal((LeftOutKind.StateBit, 0x02000001u), (item.Kind, item.Id)));
+    }
+
     [Fact, Behaviour("object.pose.follows-the-body", "spec/06, 3; spec/02, 4.17 set_frame")]
     public void The_parts_of_a_body_go_where_it_goes_and_turn_with_it()
     {
