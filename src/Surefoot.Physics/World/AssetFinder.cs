@@ -26,7 +26,8 @@ internal sealed class AssetFinder(PhysicsDataCache cache)
     internal AnimationAsset? FindAnimation(SetupAsset setup, LandblockFaults faults)
     {
         uint id = setup.DefaultAnimationId;
-        if (id == 0 || TryGet(id, named => cache.GetDefaultAnimation(named, setup.Id), out AnimationAsset? animation, out Exception? fault)) return animation;
+        if (id == 0) return null;
+        if (TryGet(id, named => cache.GetDefaultAnimation(named, setup.Id), out AnimationAsset? animation, out Exception? fault)) return animation;
         faults.LeaveOut(LeftOutKind.Animation, id, setup.Id, fault);
         return null;
     }

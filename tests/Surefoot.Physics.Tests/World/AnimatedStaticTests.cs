@@ -42,7 +42,7 @@ public sealed class AnimatedStaticTests
     [Fact, Behaviour("object.animated.in-rooms", "spec/02, 4.19; spec/05, 4.7, 7")]
     public void A_static_of_a_room_moves_as_well()
     {
-        PhysicsWorld world = Base(new LandBlockInfo { Id = WorldRecords.Info, CellCount = 1 }).Add(
+        PhysicsWorld world = Base(new LandBlockInfo { Id = WorldRecords.Info, CellCount = 1 }, animation: Frames()).Add(
             new EnvCellRecord
             {
                 Id = Room,
@@ -67,7 +67,7 @@ public sealed class AnimatedStaticTests
     [Fact, Behaviour("object.animated.scenery", "spec/05, 4.8 f; spec/02, 4.19: the places of its parts are scaled from its first step on")]
     public void Animated_scenery_begins_at_unscaled_places_and_goes_on_at_scaled_ones()
     {
-        PhysicsWorld world = Base(null, (i, j) => (i, j) == (3, 4) ? WorldRecords.Wooded : 0).Add(new Scene
+        PhysicsWorld world = Base(null, (i, j) => (i, j) == (3, 4) ? WorldRecords.Wooded : 0, Frames()).Add(new Scene
         {
             Id = WorldRecords.Scene,
             Objects = [new SceneObject { ObjectId = Mill, BaseFrame = At(new(2, 3, 0)), Frequency = 1, MinSlope = 0, MaxSlope = 2, MinScale = 2, MaxScale = 2 }],
@@ -78,6 +78,29 @@ public sealed class AnimatedStaticTests
         Assert.Equal(new Vector3(75, 94, 0), mill.PartFrame(0).Origin);
         engine.Tick(Tick);
         Assert.Equal(new Vector3(75 + 8, 94, 0), mill.PartFrame(0).Origin);
+    }
+
+    [Theory, Behaviour("object.animated.unreadable", "spec/06, 3; spec/07, 9.1; docs/fidelity.md")]
+    [InlineData("missing", "is not in the dat files", 0)]
+    [InlineData("no frames", "it has no frames", 8)]
+    [InlineData("no parts", "it moves no parts", 8)]
+    [InlineData("cut off", "", 16)]
+    public void A_static_whose_animation_cannot_be_read_rests_and_is_counted_and_named(string fault, string reason, long offset)
+    {
+        Animation broken = new() { Id = Turning, Frames = fault == "no parts" ? [new AnimFrame([])] : [] };
+        WorldRecords records = Base(
+            new LandBlockInfo { Id = WorldRecords.Info, Objects = [new StaticRecord(Mill, At(Place)), new StaticRecord(Mill, At(Place + new Vector3(0, 20, 0)))] },
+            animation: fault == "missing" ? null : broken);
+        if (fault == "cut off") records.Add(Turning, [.. broken.Encode()[..12], 7, 0, 0, 0]);
+        PhysicsWorld world = records.World();
+        PhysicsEngine engine = new(world);
+        engine.Tick(Tick);
+        Assert.All(world.FindLandblock(WorldRecords.Block)!.StaticObjects, mill => Assert.Equal(30f, SlabDistance(mill)));
+
+        LeftOutItem item = Assert.Single(world.LeftOut);
+        Assert.Equal((LeftOutKind.Animation, Turning, 2L, Mill), (item.Kind, item.Id, item.Count, item.FirstIn));
+        Assert.Contains(reason, item.Reason, StringComparison.Ordinal);
+        Assert.Equal(offset, item.Offset);
     }
 
     [Fact, Behaviour("object.animated.time-rules", "spec/02, 4.19: less than 1/30 s waits, more than 2 s are lost")]
@@ -206,9 +229,9 @@ public sealed class AnimatedStaticTests
     }
 
     private static WorldRecords Outdoors(params AnimationHook[] hooks) => Base(
-        new LandBlockInfo { Id = WorldRecords.Info, Objects = [new StaticRecord(Mill, At(Place))] }, hooks: hooks);
+        new LandBlockInfo { Id = WorldRecords.Info, Objects = [new StaticRecord(Mill, At(Place))] }, animation: Frames(hooks));
 
-    private static WorldRecords Base(LandBlockInfo? info, Func<int, int, int>? word = null, AnimationHook[]? hooks = null)
+    private static WorldRecords Base(LandBlockInfo? info, Func<int, int, int>? word = null, Animation? animation = null)
     {
         WorldRecords records = new WorldRecords().Ground(word, info: info is not null).Add(
             Assets.Records.Slab(),
@@ -219,15 +242,13 @@ public sealed class AnimatedStaticTests
                 PlacementFrames = [new PlacementFrame(0, new AnimFrame([At(new(30, 0, 0))]))],
                 SortingSphere = new DatSphere(Vector3.Zero, 1),
                 DefaultAnimationId = Turning,
-            },
-            new Animation
-            {
-                Id = Turning,
-                PartCount = 1,
-                Frames = [new AnimFrame([At(Vector3.Zero)], [.. hooks ?? []]), Frame(4), Frame(8)],
             });
-        return info is null ? records : records.Add(info);
+        if (info is not null) records.Add(info);
+        return animation is null ? records : records.Add(animation);
     }
+
+    private static Animation Frames(params AnimationHook[] hooks) =>
+        new() { Id = Turning, PartCount = 1, Frames = [new AnimFrame([At(Vector3.Zero)], [.. hooks]), Frame(4), Frame(8)] };
 
     private static AnimFrame Frame(float x) => new([At(new(x, 0, 0))]);
 

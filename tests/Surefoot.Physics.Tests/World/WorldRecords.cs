@@ -42,6 +42,12 @@ internal sealed class WorldRecords
         return this;
     }
 
+    internal WorldRecords Add(uint id, params byte[] bytes)
+    {
+        source.Add(id, bytes);
+        return this;
+    }
+
     /// <summary>The block, loaded.</summary>
     internal Landblock Load() => World().FindLandblock(Block)!;
 
