@@ -153,28 +153,30 @@ public sealed class MotionTableManager
     }
 
     /// <summary>
-    /// A substate or style that was on its way already makes the way back and forth superfluous: what was queued after the first of the two is not
-    /// played.
+    /// A substate or style that was on its way already makes the way there and back superfluous: what was queued after the first of the two is not
+    /// played. Entries without animations stop no search, as others of the same kind do not; anything else between the two keeps the links.
     /// </summary>
     /// <remarks>Retail: MotionTableManager::remove_redundant_links.</remarks>
     private void RemoveRedundantLinks()
     {
-        for (int newest = pending.Count - 1; newest > 0; newest--)
+        int newest = pending.Count - 1;
+        while (newest > 0 && pending[newest].Animations == 0) newest--;
+        if (newest <= 0) return;
+        MotionCommand motion = pending[newest].Motion;
+        bool style = motion.IsStyle();
+        if (!style && (!motion.IsSubstate() || motion.IsModifier())) return;
+        // Between substates these are styles, actions and modifiers; between styles substates, actions and modifiers.
+        uint others = style ? 0x70000000 : 0xB0000000;
+        for (int i = newest - 1; i >= 0; i--)
         {
-            MotionCommand motion = pending[newest].Motion;
-            bool style = motion.IsStyle();
-            if (!style && !IsPlainSubstate(motion)) continue;
-            for (int i = newest - 1; i >= 0; i--)
+            Pending earlier = pending[i];
+            if (earlier.Motion == motion && (style || earlier.Animations != 0))
             {
-                Pending earlier = pending[i];
-                if (earlier.Motion == motion && earlier.Animations != 0)
-                {
-                    TruncateAfter(i);
-                    return;
-                }
-
-                if (style ? earlier.Motion.IsStyle() : !IsPlainSubstate(earlier.Motion)) break;
+                TruncateAfter(i);
+                return;
             }
+
+            if (earlier.Animations != 0 && ((uint)earlier.Motion & others) != 0) return;
         }
     }
 
@@ -189,8 +191,6 @@ public sealed class MotionTableManager
 
         Sequence.RemoveLinks(dropped);
     }
-
-    private static bool IsPlainSubstate(MotionCommand motion) => motion.IsSubstate() && !motion.IsModifier();
 
     private readonly record struct Pending(MotionCommand Motion, int Animations);
 }

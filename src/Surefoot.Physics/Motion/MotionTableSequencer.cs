@@ -5,11 +5,11 @@ namespace Surefoot.Physics.Motion;
 internal sealed class MotionTableSequencer(MotionTableAsset table, MotionTableState state, MotionSequence sequence)
 {
     /// <summary>
-    /// Most modifiers re-done inside one another. Real tables need one level; a table whose turn and sidestep cycles evict each other would
-    /// go on for ever.
+    /// Most modifiers re-done for one order. Real tables need a few; a table whose turn and sidestep cycles evict each other would go on for ever.
     /// </summary>
-    private const int MaxDepth = 8;
+    private const int MaxRedone = 64;
 
+    private int redone;
     private int depth;
 
     /// <summary>Puts the body into the default substate of the default style.</summary>
@@ -176,7 +176,7 @@ internal sealed class MotionTableSequencer(MotionTableAsset table, MotionTableSt
         BeginAction(motion, speed);
         AddMotion(toDefault, 1f);
         AddMotion(toAction, speed);
-        AddMotion(back, state.SubstateSpeed);
+        AddMotion(back, 1f);
         EndAction(cycle);
         animations = CountOf(toDefault) + CountOf(toAction) + CountOf(back);
         return true;
@@ -218,18 +218,22 @@ internal sealed class MotionTableSequencer(MotionTableAsset table, MotionTableSt
         foreach (ref readonly AnimationSpan animation in data.Animations) sequence.Append(animation, speed);
     }
 
-    /// <summary>Takes all modifiers off and does them again on the new cycle, the oldest last.</summary>
+    /// <summary>
+    /// As often as there are modifiers, takes the newest off and does it again on the new cycle. One that comes back is the newest again: of several only
+    /// that one is re-done, and its velocities count once for each that there was. The others stay listed without acting.
+    /// </summary>
     /// <remarks>Retail: CMotionTable::re_modify.</remarks>
     private void ReModify()
     {
-        int count = state.ModifierCount;
-        if (count == 0 || depth == MaxDepth) return;
-        const int OnStack = 16;
-        Span<MotionSpeed> again = count <= OnStack ? stackalloc MotionSpeed[OnStack] : new MotionSpeed[count];
-        for (int i = 0; i < count; i++) again[i] = state.GetModifier(i);
-        state.ClearModifiers();
-        depth++;
-        for (int i = 0; i < count; i++) GetObjectSequence(again[i].Motion, again[i].Speed, stopModifiers: false, out _);
+        if (depth++ == 0) redone = 0;
+        for (int times = state.ModifierCount; times > 0 && state.ModifierCount > 0 && redone < MaxRedone; times--)
+        {
+            redone++;
+            MotionSpeed newest = state.GetModifier(0);
+            state.RemoveModifier(newest.Motion);
+            GetObjectSequence(newest.Motion, newest.Speed, stopModifiers: false, out _);
+        }
+
         depth--;
     }
 
