@@ -78,23 +78,23 @@ public static class MovementFormulas
         return (float)(((LoadMod(load) * (s / (s + 200.0) * 11.0)) + 4.0) / scaling / 4.0);
     }
 
-    /// <summary>Nominal height of a jump, metres; at least <see cref="MinJumpHeight"/>.</summary>
+    /// <summary>Nominal height of a jump, metres, unrounded; at least <see cref="MinJumpHeight"/>.</summary>
     /// <param name="load">Burden divided by capacity.</param>
     /// <param name="skill">Jump skill.</param>
     /// <param name="power">Charge, clamped to 0..1.</param>
     /// <param name="scaling">Divides the result; 1 in play.</param>
     /// <remarks>Retail: MovementSystem::GetJumpHeight @0x006B09B0.</remarks>
-    public static float JumpHeight(float load, int skill, float power, float scaling = 1f)
+    public static double JumpHeight(float load, int skill, float power, float scaling = 1f)
     {
         double s = Math.Max(skill, 0);
         double height = LoadMod(load) * ((s / (s + 1300.0) * 22.2f) + 0.05f) * Math.Clamp(power, 0f, 1f) / scaling;
-        return (float)Math.Max(MinJumpHeight, height);
+        return Math.Max(MinJumpHeight, height);
     }
 
     /// <summary>Upward speed that reaches a height, m/s.</summary>
-    /// <param name="height">Metres.</param>
+    /// <param name="height">Metres, as <see cref="JumpHeight"/> gives it: only the speed is rounded.</param>
     /// <remarks>Retail: the last step of CACQualities::InqJumpVelocity @0x00592980.</remarks>
-    public static float JumpVelocity(float height) => (float)Math.Sqrt(height * 19.6);
+    public static float JumpVelocity(double height) => (float)Math.Sqrt(height * 19.6);
 
     /// <summary>Stamina a jump costs.</summary>
     /// <param name="power">Charge, 0 to 1.</param>
