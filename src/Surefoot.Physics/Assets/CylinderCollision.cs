@@ -74,15 +74,16 @@ internal static class CylinderCollision
     internal static bool NormalOfCollision(
         SpherePath path, in CylSphere cylinder, in Vector3 offset, float radiusSum, int i, out Vector3 normal)
     {
-        Vector3 before = path.GlobalCurrCenters[i] - cylinder.LowPoint;
-        if ((double)radiusSum * radiusSum < ((double)before.X * before.X) + ((double)before.Y * before.Y))
+        Vector3 curr = path.GlobalCurrCenters[i], low = cylinder.LowPoint;
+        double x = (double)curr.X - low.X, y = (double)curr.Y - low.Y, z = (double)curr.Z - low.Z;
+        if ((double)radiusSum * radiusSum < (x * x) + (y * y))
         {
-            normal = new Vector3(before.X, before.Y, 0);
-            return CollisionPrimitives.IsLevelWith(path.GlobalSpheres[i].Radius, before.Z, cylinder.Height) ||
-                   Math.Abs((double)before.Z - offset.Z) <= RetailMath.Epsilon;
+            normal = new Vector3((float)x, (float)y, 0);
+            return CollisionPrimitives.IsLevelWith(path.GlobalSpheres[i].Radius, z, cylinder.Height) ||
+                   Math.Abs(z - offset.Z) <= RetailMath.Epsilon;
         }
 
-        normal = new Vector3(0, 0, (double)offset.Z - before.Z <= 0 ? 1 : -1);
+        normal = new Vector3(0, 0, offset.Z - z <= 0 ? 1 : -1);
         return true;
     }
 
@@ -193,8 +194,8 @@ internal static class CylinderCollision
         }
         else if (definite)
         {
-            if (!(clip.Discriminant >= 0 && clip.FlatSquared >= RetailMath.Epsilon)) return TransitionState.Collided;
-            t = clip.TimeOfSide;
+            if (!(clip.Discriminant(clip.ReachSquared) >= 0 && clip.FlatSquared >= RetailMath.Epsilon)) return TransitionState.Collided;
+            t = clip.TimeOfSide(clip.ReachSquared);
             way = RetailMath.Scale(clip.Movement, (float)t);
             normal = clip.SideNormal(curr, way, cylinder.LowPoint);
         }
@@ -205,13 +206,15 @@ internal static class CylinderCollision
             normal = new Vector3(0, 0, clip.Movement.Z > 0 ? -1 : 1);
             way = RetailMath.Scale(clip.Movement, t);
             double x = (double)way.X + clip.Offset.X, y = (double)way.Y + clip.Offset.Y;
-            if ((x * x) + (y * y) >= clip.ReachSquared)
+            // Here the square is stored; for the side alone, above, it is not.
+            float reachSquared = (float)clip.ReachSquared;
+            if ((x * x) + (y * y) >= reachSquared)
             {
                 // The end is passed by: the side is met, or with no root the end's time serves with the side's normal.
                 if (clip.FlatSquared < RetailMath.Epsilon) return TransitionState.Collided;
-                if (clip.Discriminant >= 0 && clip.FlatSquared > RetailMath.Epsilon)
+                if (clip.Discriminant(reachSquared) >= 0 && clip.FlatSquared > RetailMath.Epsilon)
                 {
-                    t = clip.TimeOfSide;
+                    t = clip.TimeOfSide(reachSquared);
                     way = RetailMath.Scale(clip.Movement, (float)t);
                 }
 
@@ -234,26 +237,19 @@ internal static class CylinderCollision
         /// <summary>Squared horizontal length of the movement.</summary>
         public double FlatSquared => ((double)Movement.X * Movement.X) + ((double)Movement.Y * Movement.Y);
 
-        /// <summary>Stored: the clips of specification 04, 6.13 and 6.17, come out to the last bit only so.</summary>
-        public float ReachSquared => (float)((double)Reach * Reach);
+        public double ReachSquared => (double)Reach * Reach;
 
-        public double Discriminant
+        public double Discriminant(double reachSquared)
         {
-            get
-            {
-                double outside = ((double)Offset.X * Offset.X) + ((double)Offset.Y * Offset.Y) - ReachSquared;
-                return (Approach * Approach) - (outside * FlatSquared);
-            }
+            double outside = ((double)Offset.X * Offset.X) + ((double)Offset.Y * Offset.Y) - reachSquared;
+            return (Approach * Approach) - (outside * FlatSquared);
         }
 
         /// <summary>Share of the movement at which the side is met.</summary>
-        public double TimeOfSide
+        public double TimeOfSide(double reachSquared)
         {
-            get
-            {
-                double root = Math.Sqrt(Discriminant);
-                return (Approach - root < 0 ? root + Approach : Approach - root) / FlatSquared;
-            }
+            double root = Math.Sqrt(Discriminant(reachSquared));
+            return (Approach - root < 0 ? root + Approach : Approach - root) / FlatSquared;
         }
 
         private double Approach => -(((double)Movement.X * Offset.X) + ((double)Movement.Y * Offset.Y));
@@ -266,9 +262,9 @@ internal static class CylinderCollision
         /// <summary>Horizontal normal where the sphere then is.</summary>
         public Vector3 SideNormal(in Vector3 curr, in Vector3 way, in Vector3 low)
         {
-            double inverse = 1.0 / Reach;
-            return new Vector3(
-                (float)(((double)curr.X + way.X - low.X) * inverse), (float)(((double)curr.Y + way.Y - low.Y) * inverse), 0);
+            Vector3 normal = RetailMath.Scale(curr + way - low, 1.0 / Reach);
+            normal.Z = 0;
+            return normal;
         }
     }
 }

@@ -238,13 +238,7 @@ public sealed partial class PhysicsBsp
     private Vector3 GlobalNormal(SpherePath path, in PolygonContact hit) =>
         path.LocalSpacePos.Frame.LocalToGlobalVector(Polygons.PlaneOf(hit.Polygon).Normal);
 
-    /// <summary>A displacement of the tree's frame in world axes and metres; rounded once, after scaling.</summary>
-    private static Vector3 GlobalOffset(SpherePath path, in Vector3 v, float scale)
-    {
-        Vector3 x = path.LocalSpacePos.Frame.XAxis, y = path.LocalSpacePos.Frame.YAxis, z = path.LocalSpacePos.Frame.ZAxis;
-        return new Vector3(
-            (float)(scale * (((double)x.X * v.X) + ((double)y.X * v.Y) + ((double)z.X * v.Z))),
-            (float)(scale * (((double)x.Y * v.X) + ((double)y.Y * v.Y) + ((double)z.Y * v.Z))),
-            (float)(scale * (((double)x.Z * v.X) + ((double)y.Z * v.Y) + ((double)z.Z * v.Z))));
-    }
+    /// <summary>A displacement of the tree's frame in world axes and metres; stored after turning and again after scaling.</summary>
+    private static Vector3 GlobalOffset(SpherePath path, in Vector3 v, float scale) =>
+        RetailMath.Scale(path.LocalSpacePos.Frame.LocalToGlobalVector(v), scale);
 }

@@ -109,18 +109,19 @@ internal static class SphereCollision
         double step = (double)path.StepDownAmount * path.WalkInterp;
         if (Math.Abs(step) < RetailMath.Epsilon) return TransitionState.Collided;
 
-        float stepStored = (float)step, reach = (float)((double)radiusSum + RetailMath.Epsilon);
-        // Stored in both factors: the prose of specification 04, 4.8, has one unrounded, its example 6.12 comes out to the last bit only so.
-        double squared = ((double)reach * reach) -
+        double reachExact = (double)radiusSum + RetailMath.Epsilon;
+        float stepStored = (float)step, reach = (float)reachExact;
+        // One factor is stored, the other still in its register.
+        double squared = (reachExact * reach) -
                          ((double)(float)((double)offset.X * offset.X) + (float)((double)offset.Y * offset.Y));
         double t = (Math.Sqrt(squared) - offset.Z) / stepStored, left = (1 - t) * path.WalkInterp;
         // A ball that only the head touches may give no root; NaN is refused here.
         if (!(left < path.WalkInterp && left >= InterpFloor)) return TransitionState.Collided;
 
         float lift = (float)(stepStored * t);
-        double normalZ = ((double)offset.Z + lift) / reach;
+        double inverse = 1.0 / reach, normalZ = ((double)offset.Z + lift) * inverse;
         if (!path.IsWalkableAllowable(normalZ)) return TransitionState.OK;
-        Vector3 normal = new((float)((double)offset.X / reach), (float)((double)offset.Y / reach), (float)normalZ);
+        Vector3 normal = new((float)(offset.X * inverse), (float)(offset.Y * inverse), (float)normalZ);
         Plane plane = RetailMath.PlaneThrough(normal, RetailMath.AddScaled(obstacle.Center, obstacle.Radius, normal));
         transition.Collision.SetContactPlane(plane, true, path.CheckPos.CellId);
         path.WalkInterp = (float)left;

@@ -38,7 +38,7 @@ public static class CollisionPrimitives
         (double)radiusSum * radiusSum >= ((double)offset.X * offset.X) + ((double)offset.Y * offset.Y) && IsLevelWith(radius, offset.Z, height);
 
     /// <summary>Is a sphere whose centre is <paramref name="z"/> above a cylinder's low point beside the cylinder, not above or below it?</summary>
-    internal static bool IsLevelWith(float radius, float z, float height)
+    internal static bool IsLevelWith(float radius, double z, float height)
     {
         double half = height * 0.5;
         return ((double)radius - RetailMath.Epsilon) + half >= Math.Abs(half - z);

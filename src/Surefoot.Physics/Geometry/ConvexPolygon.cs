@@ -38,11 +38,12 @@ public readonly ref struct ConvexPolygon
         for (int k = 1; k < corners.Length - 1; k++)
         {
             Vector3 b = corners[k] - corners[0];
+            double bz = (double)corners[k].Z - corners[0].Z;
             double cx = (double)corners[k + 1].X - corners[0].X;
             double cy = (double)corners[k + 1].Y - corners[0].Y;
             double cz = (double)corners[k + 1].Z - corners[0].Z;
-            sumX += (float)((b.Y * cz) - (b.Z * cy));
-            sumY += (float)((b.Z * cx) - (cz * b.X));
+            sumX += (float)((b.Y * cz) - (bz * cy));
+            sumY += (float)((bz * cx) - (cz * b.X));
             sumZ = (float)((cy * b.X) - (b.Y * cx) + sumZ);
         }
 
@@ -50,7 +51,8 @@ public readonly ref struct ConvexPolygon
         float stored = (float)inverse;
         Vector3 normal = new((float)(inverse * sumX), (float)(stored * sumY), (float)((double)stored * sumZ));
         double mean = 0;
-        foreach (Vector3 corner in corners) mean += RetailMath.Dot(normal, corner);
+        foreach (Vector3 corner in corners)
+            mean = mean + ((double)normal.Z * corner.Z) + ((double)normal.Y * corner.Y) + ((double)normal.X * corner.X);
         return new Plane(normal, (float)-(mean / corners.Length));
     }
 

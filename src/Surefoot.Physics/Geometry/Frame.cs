@@ -8,6 +8,8 @@ namespace Surefoot.Physics.Geometry;
 /// <remarks>Retail: Frame. The columns of the matrix are the images of the local axes (specification 03, 4.1.4).</remarks>
 public struct Frame : IEquatable<Frame>
 {
+    private const double DegreesPerRadian = 180.0 / Math.PI;
+
     private Quaternion rotation;
 
     /// <summary>A frame at <paramref name="origin"/> with the orientation <paramref name="rotation"/>, which should be of unit length.</summary>
@@ -54,8 +56,17 @@ public struct Frame : IEquatable<Frame>
         (float)(((double)XAxis.Z * v.X) + ((double)YAxis.Z * v.Y) + ((double)ZAxis.Z * v.Z)));
 
     /// <summary>A point of the coordinates around the frame, seen from inside it.</summary>
-    /// <remarks>Retail: Frame::globaltolocal @0x00452680.</remarks>
-    public readonly Vector3 GlobalToLocal(in Vector3 point) => GlobalToLocalVector(point - Origin);
+    /// <remarks>
+    /// Retail: Frame::globaltolocal @0x00452680. The way from the origin is stored first, but for its z where that makes the local z.
+    /// </remarks>
+    public readonly Vector3 GlobalToLocal(in Vector3 point)
+    {
+        Vector3 d = point - Origin;
+        double z = (double)point.Z - Origin.Z;
+        return new Vector3(
+            (float)RetailMath.Dot(XAxis, d), (float)RetailMath.Dot(YAxis, d),
+            (float)(((double)ZAxis.X * d.X) + ((double)ZAxis.Y * d.Y) + (ZAxis.Z * z)));
+    }
 
     /// <summary>A direction of the coordinates around the frame, seen from inside it.</summary>
     /// <remarks>Retail: Frame::globaltolocalvec @0x00452550.</remarks>
@@ -119,7 +130,7 @@ public struct Frame : IEquatable<Frame>
     }
 
     /// <summary>The inverse of <see cref="Combine"/> on the right: the frame that, followed by <paramref name="inner"/>, gives <paramref name="whole"/>.</summary>
-    /// <remarks>Retail: Frame::subtract2.</remarks>
+    /// <remarks>Retail: Frame::subtract1.</remarks>
     public static Frame Subtract(in Frame whole, in Frame inner)
     {
         Frame result = whole;
@@ -173,7 +184,7 @@ public struct Frame : IEquatable<Frame>
     public readonly double Heading => HeadingOf(YAxis);
 
     /// <summary>Compass direction in degrees of the horizontal part of a vector.</summary>
-    public static double HeadingOf(in Vector3 direction) => (450.0 - (Math.Atan2(direction.Y, direction.X) * 180.0 / Math.PI)) % 360.0;
+    public static double HeadingOf(in Vector3 direction) => (450.0 - (Math.Atan2(direction.Y, direction.X) * DegreesPerRadian)) % 360.0;
 
     /// <summary>Faces the compass direction (degrees), keeping the vertical part of the present facing.</summary>
     /// <remarks>Retail: Frame::set_heading @0x00535E40.</remarks>

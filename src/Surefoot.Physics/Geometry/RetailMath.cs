@@ -21,10 +21,10 @@ public static class RetailMath
     /// <summary>Smallest z of a unit normal accepted while landing or being placed, 0x3DB27EB0: cos of 85 degrees.</summary>
     public const float LandingZ = 0.0871557f;
 
-    /// <summary>Dot product, unrounded.</summary>
+    /// <summary>Dot product, unrounded; summed from z to x as in retail, where the sign of a sum near zero decides.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Dot(in Vector3 a, in Vector3 b) =>
-        ((double)a.X * b.X) + ((double)a.Y * b.Y) + ((double)a.Z * b.Z);
+        ((double)a.Z * b.Z) + ((double)a.Y * b.Y) + ((double)a.X * b.X);
 
     /// <summary>Cross product, each component rounded once.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

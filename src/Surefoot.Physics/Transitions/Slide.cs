@@ -29,8 +29,10 @@ public sealed partial class Transition
         Vector3 floor = Collision.ContactPlaneValid ? Collision.ContactPlane.Normal : Collision.LastKnownContactPlane.Normal;
 
         double creaseY = ((double)normal.Z * floor.X) - ((double)normal.X * floor.Z);
+        double creaseZ = ((double)normal.X * floor.Y) - ((double)normal.Y * floor.X);
         Vector3 crease = RetailMath.Cross(normal, floor);
-        double squared = ((double)crease.X * crease.X) + (creaseY * creaseY) + ((double)crease.Z * crease.Z);
+        // One factor of the last product is still in its register: stored in the other, and in everything that follows.
+        double squared = ((double)crease.X * crease.X) + (creaseY * creaseY) + (crease.Z * creaseZ);
         if (squared >= RetailMath.Epsilon)
         {
             double along = ((double)crease.X * movement.X) + (creaseY * movement.Y) + ((double)crease.Z * movement.Z);

@@ -182,4 +182,16 @@ public class BoxTreeTests
         Assert.Equal(TransitionState.Adjusted, side.Ask(Box, frame, 2));
         Assert.Equal(new Vector3(-3.42285418e-08f, -0.99999994f, 0), side.Path.StepUpNormal);
     }
+
+    [Theory, Behaviour("bsp.scale.offset-stored-twice", "spec/04, 4.6 row 4: stored after turning and again after scaling")]
+    [InlineData(3.3, 11.4, 19.3, 10.6, 19.6, 11.0799999, 19.4200001, 0.479999989)] // stored once: x = 11.0800009
+    [InlineData(0.7, 11.6, 19.3, 10.8, 20, 11.2800007, 19.5799999, 0.480000019)] // stored once: x = 11.2799997
+    public void A_move_out_of_a_scaled_part_is_stored_after_turning_and_after_scaling(
+        float scale, float currX, float currY, float x, float y, float endX, float endY, float endZ)
+    {
+        PhysicsBsp floor = Trees.OneFace(new(-5, -5, 0), new(5, -5, 0), new(5, 5, 0), new(-5, 5, 0));
+        Mover landing = new Mover(MoverFlags.None, new(currX, currY, 0.6f), new(x, y, 0.3f), 0.48f).With(p => p.Collide = true);
+        Assert.Equal(TransitionState.Adjusted, landing.Ask(floor, new Frame(new(10, 20, 0), new Quaternion(0, 0, 0.6f, 0.8f)), scale));
+        Assert.Equal((new Vector3(endX, endY, endZ), 0.400000095f), (landing.At, landing.Path.WalkInterp));
+    }
 }

@@ -143,7 +143,7 @@ public class SphereObstacleTests
         Mover mover = Probe(new(0.1f, 0, 1.3f), 0.6f);
         float before = mover.At.Z;
         Assert.Equal(TransitionState.Adjusted, mover.Ask(Ball));
-        Assert.Equal((before + 0.174884617f, 0.708525658f), (mover.At.Z, mover.Path.WalkInterp));
+        Assert.Equal((before + 0.174884632f, 0.708525658f), (mover.At.Z, mover.Path.WalkInterp));
         Assert.Equal(new Plane(0.10204082f, 0, 0.994780242f, -0.997390151f), mover.Collision.ContactPlane);
     }
 

@@ -40,6 +40,14 @@ public class FrameTests
         Assert.Equal(before, frame.Rotation);
     }
 
+    [Fact, Behaviour("geometry.frame.local-z-unrounded", "spec/03, 4.1.4, and 05, 4.2, Frame::globaltolocal @0x00452680")]
+    public void Only_the_local_z_is_made_of_an_unrounded_height()
+    {
+        // All stored would give z = −50.9447861, nothing stored x = 168.953613.
+        Frame frame = new(new Vector3(110.5f, 188.4f, 194.5f), new Quaternion(0, 0.6f, 0, 0.8f));
+        Assert.Equal(new Vector3(168.953598f, -0.5f, -50.9447899f), frame.GlobalToLocal(new Vector3(108.9f, 187.9f, 18.04f)));
+    }
+
     private static void AssertNear(Vector3 expected, Vector3 actual) =>
         Assert.True(Vector3.Distance(expected, actual) < 1e-6f, $"{actual}, expected {expected}");
 }

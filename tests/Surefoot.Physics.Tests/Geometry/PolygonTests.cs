@@ -24,6 +24,18 @@ public class PolygonTests
         Assert.Equal(new Plane(-0.049875468f, -0.049875468f, 0.99750936f, 0.024937734f), ConvexPolygon.MakePlane(A3));
     }
 
+    [Fact, Behaviour("polygon.plane.roundings", "spec/04, 4.4, make_plane; spec/05, 4.3")]
+    public void Heights_stay_unrounded_and_the_mean_is_summed_term_by_term()
+    {
+        // With rounded heights −0.621411622 and d = 72.2015076; with sums corner by corner d = 3.21570219e−08.
+        Assert.Equal(
+            new Plane(-0.621411681f, 0.759856761f, 0.190958768f, 72.2015152f),
+            ConvexPolygon.MakePlane([new(120, 0, 12.4f), new(144, 0, 90.5f), new(144, 24, -5)]));
+        Assert.Equal(
+            new Plane(-0.680224836f, 0.00195466704f, -0.733000875f, 3.21570184e-08f),
+            ConvexPolygon.MakePlane([new(0, 0, 0), new(0.1f, -2.7f, -0.1f), new(-4.2f, 0.9f, 3.9f)]));
+    }
+
     [Theory, Behaviour("polygon.sphere.overlap", "spec/04, 6.2, CPolygon::polygon_hits_sphere_slow_but_sure @0x00538A10")]
     [InlineData(1, 1, 0.3, true, 1, 1)]
     [InlineData(1, 1, 0.4998, true, 1, 1)]

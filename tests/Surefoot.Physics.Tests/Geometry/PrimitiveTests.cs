@@ -10,6 +10,10 @@ public class PrimitiveTests
     private static readonly Gen<float> Coordinate = Gen.Float[-20f, 20f];
     private static readonly Gen<Vector3> Point = Gen.Select(Coordinate, Coordinate, Coordinate, (x, y, z) => new Vector3(x, y, z));
 
+    [Fact, Behaviour("geometry.dot.from-z-to-x", "spec/04, 1.2: the order decides the sign of a sum near zero")]
+    public void A_dot_product_is_summed_from_z_to_x() =>
+        Assert.Equal(1, RetailMath.Dot(new(1, 1 << 30, 1 << 30), new(1, 1 << 30, -(1 << 30))));
+
     [Theory, Behaviour("sphere.collision.time", "spec/04, 6.11, CSphere::find_time_of_collision @0x005368F0")]
     [InlineData(2, 0, 0, -2, 0, 0, 0.5)]
     [InlineData(2, 0, 0, -2, 0.5, 0, 0.566987298)]

@@ -154,6 +154,17 @@ public class ContactTests
         }
     }
 
+    [Fact, Behaviour("transition.slide.roundings", "spec/03, 4.8.1, 4: in the square of the crease z counts once stored and once unrounded")]
+    public void A_slide_squares_the_crease_with_one_unrounded_factor()
+    {
+        // Stored in both factors: (0.199867383, 0.25253883, −0.387605041); in none: (0.199867412, 0.25253889, −0.387605131).
+        Vector3 normal = new(0.96f, -0.99f, -0.15f);
+        Transition t = At(new Vector3(0.4f, 0.29f, -0.26f), Vector3.Zero);
+        t.Collision.SetContactPlane(new Plane(0.59f, 0.5f, 0.63f, 0), false);
+        Assert.Equal(TransitionState.Slid, t.SlideSphere(0, ref normal, t.Path.GlobalCurrCenters[0]));
+        Assert.Equal(new Vector3(0.199867398f, 0.25253886f, -0.387605101f), t.Path.CheckPos.Frame.Origin);
+    }
+
     [Fact, Behaviour("transition.slide.across-a-block-border", "spec/03, 6.7 row 9")]
     public void A_slide_across_a_border_takes_the_blocks_into_account()
     {
