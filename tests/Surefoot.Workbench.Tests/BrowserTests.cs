@@ -176,6 +176,79 @@ public sealed class BrowserTests(Browser browser) : IAsyncLifetime
     }
 
     [Fact]
+    [Behaviour("workbench.browser.right-button-turns-the-player", "spec/09b, 9.7")]
+    public async Task The_right_button_turns_the_player_and_the_left_one_orbits_the_camera()
+    {
+        await using Tab tab = await browser.OpenAsync(server);
+        IPage page = tab.Page;
+        double yaw = await tab.Number("window.surefoot.pose.yaw");
+        await page.Mouse.MoveAsync(150, 250);
+        await page.Mouse.DownAsync(new MouseDownOptions { Button = MouseButton.Right });
+
+        // At once, and not as a hand would: where frames are slow, a pointer that moves once a frame rests in between.
+        await page.EvaluateAsync(
+            """
+            () => {
+              const view = document.getElementById("view");
+              const pointer = [...Array(10).keys()].find((id) => view.hasPointerCapture(id));
+              for (let i = 0; i < 10; i++) view.dispatchEvent(new PointerEvent("pointermove", { pointerId: pointer, buttons: 2, movementX: 10 }));
+            }
+            """);
+        await tab.Until($"window.surefoot.pose.yaw < {Text(yaw - 0.05)}", "the pointer to the right turns right");
+        await tab.Until("window.surefoot.pose.turn === 0", "a pointer that rests turns no more");
+        Assert.Equal(0, await tab.Number("window.surefoot.camera.orbit"), 0.01);
+
+        await page.Mouse.DownAsync();
+        await tab.Until($"window.surefoot.pose.speed > {0.95 * RunSpeed}", "both buttons run ahead");
+        await page.Mouse.UpAsync();
+        await page.Mouse.UpAsync(new MouseUpOptions { Button = MouseButton.Right });
+        await tab.Until("window.surefoot.pose.speed < 0.01", "without them the player stands");
+
+        yaw = await tab.Number("window.surefoot.pose.yaw");
+        await page.Mouse.DownAsync();
+        await page.Mouse.MoveAsync(250, 250, new MouseMoveOptions { Steps = 20 });
+        await page.Mouse.UpAsync();
+        await tab.Until("Math.abs(window.surefoot.camera.orbit) > 0.3", "the left button orbits");
+        Assert.Equal(yaw, await tab.Number("window.surefoot.pose.yaw"), 1e-6);
+        Assert.Empty(tab.Complaints);
+    }
+
+    [Fact]
+    [Behaviour("workbench.browser.mouse-turning-is-an-option", "spec/09b, 9.7")]
+    public async Task Mouse_turning_is_on_at_first_and_can_be_switched_off()
+    {
+        await using Tab tab = await browser.OpenAsync(server);
+        IPage page = tab.Page;
+        Assert.Equal("true", await page.Locator("#toggle-mouse").GetAttributeAsync("aria-pressed"));
+        await page.Locator("#toggle-mouse").ClickAsync();
+        Assert.Equal("false", await page.Locator("#toggle-mouse").GetAttributeAsync("aria-pressed"));
+        double yaw = await tab.Number("window.surefoot.pose.yaw");
+        await page.Mouse.MoveAsync(150, 250);
+        await page.Mouse.DownAsync(new MouseDownOptions { Button = MouseButton.Right });
+        await page.Mouse.MoveAsync(450, 250, new MouseMoveOptions { Steps = 30 });
+        await page.Mouse.UpAsync(new MouseUpOptions { Button = MouseButton.Right });
+        await tab.Until("Math.abs(window.surefoot.camera.orbit) > 0.3", "the right button looks around, as the left one");
+        Assert.Equal(yaw, await tab.Number("window.surefoot.pose.yaw"), 1e-6);
+        await page.Keyboard.PressAsync("m");
+        Assert.True((await tab.Read("window.surefoot.mouseTurning")).GetBoolean());
+    }
+
+    [Fact]
+    [Behaviour("workbench.browser.autorun", "spec/09b, 9.6")]
+    public async Task R_runs_ahead_until_it_is_pressed_again()
+    {
+        await using Tab tab = await browser.OpenAsync(server);
+        await tab.Page.Keyboard.PressAsync("r");
+        await tab.Until($"window.surefoot.pose.speed > {0.95 * RunSpeed}", "the player runs without a key");
+        await tab.Page.EvaluateAsync("dispatchEvent(new Event('blur'))");
+        double start = await tab.Number("window.surefoot.pose.time");
+        await tab.Until($"window.surefoot.pose.time > {Text(start + 0.5)}", "half a second passes");
+        Assert.True(await tab.Number("window.surefoot.pose.speed") > 0.95 * RunSpeed);
+        await tab.Page.Keyboard.PressAsync("r");
+        await tab.Until("window.surefoot.pose.speed < 0.01", "the player stands");
+    }
+
+    [Fact]
     [Behaviour("workbench.browser.tabs", "design.md")]
     public async Task Two_tabs_see_each_other_and_a_closed_one_is_gone()
     {

@@ -36,6 +36,14 @@ public sealed class FrameTests
         Assert.Equal(258, place.Place);
         Assert.True(ClientFrame.TryParse(Bytes("use"), Places, out ClientFrame use));
         Assert.Equal(new ClientFrame(FrameKind.Use), use);
+        Assert.True(ClientFrame.TryParse(Bytes("pointer"), Places, out ClientFrame pointer));
+        Assert.Equal(new ClientFrame(FrameKind.Pointer, Buttons: PointerButtons.Left | PointerButtons.Right, Right: -12.5f), pointer);
+        Assert.True(ClientFrame.TryParse(Bytes("mouseTurning"), Places, out ClientFrame mouse));
+        Assert.Equal(new ClientFrame(FrameKind.MouseTurning, On: true), mouse);
+        Assert.True(ClientFrame.TryParse(Bytes("autoRun"), Places, out ClientFrame run));
+        Assert.Equal(new ClientFrame(FrameKind.AutoRun), run);
+        Assert.True(ClientFrame.TryParse(Bytes("focusLost"), Places, out ClientFrame lost));
+        Assert.Equal(new ClientFrame(FrameKind.FocusLost), lost);
 
         Assert.Equal(Bytes("welcome"), ServerFrames.Welcome(7, new PlayerSettings(300, 250, 7000), 15_000, 9, 2));
         Assert.Equal(Bytes("pose"), ServerFrames.Pose(SamplePose, 9, 10, 3));
@@ -60,6 +68,15 @@ public sealed class FrameTests
     [InlineData("03 2c01")]
     [InlineData("03 ffff")]
     [InlineData("04 00")]
+    [InlineData("05 04 00000000")]
+    [InlineData("05 00 0000c07f")]
+    [InlineData("05 00 0000807f")]
+    [InlineData("05 00 01401cc6")]
+    [InlineData("05 00 000000")]
+    [InlineData("06")]
+    [InlineData("06 02")]
+    [InlineData("07 00")]
+    [InlineData("08 00")]
     [InlineData("81 01 07000000")]
     [InlineData("ff ffff ffff ffff ff")]
     public void A_frame_of_wrong_length_kind_or_range_is_refused(string hex) =>
@@ -71,9 +88,9 @@ public sealed class FrameTests
         Gen.Byte.Array[0, 12].Sample(
             bytes =>
             {
-                if (bytes.Length > 0) bytes[0] &= 7;
+                if (bytes.Length > 0) bytes[0] &= 15;
                 if (!ClientFrame.TryParse(bytes, Places, out ClientFrame frame)) return true;
-                return bytes.Length <= WireLimits.LongestClientFrame && frame.Place is >= 0 and < Places
+                return bytes.Length <= WireLimits.LongestClientFrame && Math.Abs(frame.Right) <= WireLimits.MaxPointerMove && frame.Place is >= 0 and < Places
                     && frame.Settings is { RunSkill: >= 0 and <= WireLimits.MaxSkill, JumpSkill: >= 0 and <= WireLimits.MaxSkill }
                     && frame.Settings.Burden >= 0 && frame.Settings.Burden <= WireLimits.MaxBurden;
             },

@@ -82,6 +82,48 @@ public sealed class SimulatedWorldTests : IDisposable
     }
 
     [Fact]
+    [Behaviour("workbench.world.pointer-turns-where-it-goes", "spec/09b, 9.7 and 15.6")]
+    public void The_pointer_to_the_right_turns_right_while_its_right_button_is_held()
+    {
+        IWorkbenchPlayer player = world.Join(1, PlayerSettings.Default, Runway, now);
+        Pass(1);
+        player.UseMouseTurning(true, now);
+        player.MovePointer(PointerButtons.Left, 0, now);
+        Drag(player, PointerButtons.Left, 10);
+        Assert.Equal(0f, player.Pose.TurnSpeed);
+        float yaw = player.Pose.Yaw;
+        Drag(player, PointerButtons.Right, 10);
+        Assert.Equal(2f, player.Pose.TurnSpeed, 0.001f);
+        Assert.True(player.Pose.Yaw < yaw - 0.1f);
+        player.MovePointer(PointerButtons.None, 0, now);
+        Pass(0.1);
+        Assert.Equal(0f, player.Pose.TurnSpeed);
+
+        player.MovePointer(PointerButtons.Left | PointerButtons.Right, 0, now);
+        Pass(1);
+        Assert.Equal(10.6000004, player.Pose.Speed, 0.5);
+    }
+
+    [Fact]
+    [Behaviour("workbench.world.autorun-survives-lost-focus", "spec/09b, 9.6")]
+    public void Autorun_goes_on_when_the_page_loses_the_keyboard_and_keys_do_not()
+    {
+        IWorkbenchPlayer player = world.Join(1, PlayerSettings.Default, Runway, now);
+        Pass(1);
+        player.ToggleAutoRun(now);
+        player.SetKeys(PlayerKeys.TurnLeft, now);
+        Pass(0.5);
+        Assert.NotEqual(0f, player.Pose.TurnSpeed);
+        player.LoseFocus(now);
+        Pass(0.5);
+        Assert.Equal(0f, player.Pose.TurnSpeed);
+        Assert.Equal(10.6000004, player.Pose.Speed, 0.5);
+        player.ToggleAutoRun(now);
+        Pass(0.5);
+        Assert.Equal(0, player.Pose.Speed, 0.01);
+    }
+
+    [Fact]
     [Behaviour("workbench.world.refused-jump-says-why", "spec/01, 4.12 and section 3: 0x49, too loaded to jump")]
     public void A_jump_that_is_refused_says_why()
     {
@@ -166,6 +208,16 @@ public sealed class SimulatedWorldTests : IDisposable
         List<PlayerEvent> events = [];
         while (player.TryTakeEvent(out PlayerEvent happened)) events.Add(happened);
         return events;
+    }
+
+    /// <summary>Half a second of a hand that moves a button's pointer to the right.</summary>
+    private void Drag(IWorkbenchPlayer player, PointerButtons held, float right)
+    {
+        for (int i = 0; i < 30; i++)
+        {
+            player.MovePointer(held, right, now);
+            Pass(1.0 / 60);
+        }
     }
 
     private void Pass(double seconds)

@@ -138,6 +138,18 @@ internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters co
             case FrameKind.Use:
                 seat.Player.Use(now);
                 break;
+            case FrameKind.Pointer:
+                seat.Player.MovePointer(frame.Buttons, frame.Right, now);
+                break;
+            case FrameKind.MouseTurning:
+                seat.Player.UseMouseTurning(frame.On, now);
+                break;
+            case FrameKind.AutoRun:
+                seat.Player.ToggleAutoRun(now);
+                break;
+            case FrameKind.FocusLost:
+                seat.Player.LoseFocus(now);
+                break;
         }
     }
 

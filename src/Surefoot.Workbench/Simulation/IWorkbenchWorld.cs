@@ -54,6 +54,18 @@ internal interface IWorkbenchPlayer
     /// <summary>The keys held from now on.</summary>
     void SetKeys(PlayerKeys keys, double now);
 
+    /// <summary>The pointer's buttons held from now on, and how far it moved to the right, counts.</summary>
+    void MovePointer(PointerButtons held, float right, double now);
+
+    /// <summary>The right button turns the player, or does not.</summary>
+    void UseMouseTurning(bool on, double now);
+
+    /// <summary>Runs ahead without a key, or no longer.</summary>
+    void ToggleAutoRun(double now);
+
+    /// <summary>The keyboard is elsewhere: every key counts as let go.</summary>
+    void LoseFocus(double now);
+
     /// <summary>New skills and burden.</summary>
     void Configure(PlayerSettings settings, double now);
 

@@ -15,6 +15,9 @@ internal sealed class SimulatedPlayer : IWorkbenchPlayer, IMovementSink
 
     private const int MostEventsKept = 64;
 
+    // A browser reports its pointer once a frame, and a hand's width should turn half round.
+    private const float PointerSensitivity = 1f;
+
     // Whoever runs along a wall meets it in every second or third step only; seconds.
     private const double TouchHolds = 0.25;
 
@@ -60,6 +63,8 @@ internal sealed class SimulatedPlayer : IWorkbenchPlayer, IMovementSink
     public void Enter(LocalPlayer entered, SimulatedWorld around, double now)
     {
         player = entered;
+        player.Controller.MouseTurning.Inverted = true;
+        player.Controller.MouseTurning.Sensitivity = PointerSensitivity;
         world = around;
         Observe(now);
     }
@@ -83,6 +88,26 @@ internal sealed class SimulatedPlayer : IWorkbenchPlayer, IMovementSink
         bool jumpChanged = ((keys ^ before) & MovementKeys.Jump) != 0;
         if (jumpChanged && Player.Controller.LastRefusal != MotionError.None && !Player.Controller.IsChargingJump)
             Happen(new PlayerEvent(PlayerEventKind.JumpRefused, now, Code: (uint)Player.Controller.LastRefusal));
+    }
+
+    /// <inheritdoc/>
+    public void MovePointer(PointerButtons held, float right, double now)
+    {
+        Player.Controller.SetMouseButtons(held.HasFlag(PointerButtons.Left), held.HasFlag(PointerButtons.Right), now);
+        if (right != 0) Player.Controller.MoveMouse(right, now);
+    }
+
+    /// <inheritdoc/>
+    public void UseMouseTurning(bool on, double now) => Player.Controller.UseMouseTurning(on, now);
+
+    /// <inheritdoc/>
+    public void ToggleAutoRun(double now) => Player.Controller.SetAutoRun(!Player.Controller.AutoRun, now);
+
+    /// <inheritdoc/>
+    public void LoseFocus(double now)
+    {
+        keys = MovementKeys.None;
+        Player.Controller.LoseKeyboardFocus(now);
     }
 
     /// <inheritdoc/>

@@ -4,7 +4,15 @@ using Surefoot.Workbench.Simulation;
 namespace Surefoot.Workbench.Wire;
 
 /// <summary>One checked frame from a page. Only the fields of its kind are set.</summary>
-internal readonly record struct ClientFrame(FrameKind Kind, PlayerKeys Keys = PlayerKeys.None, uint Sequence = 0, PlayerSettings Settings = default, int Place = 0)
+internal readonly record struct ClientFrame(
+    FrameKind Kind,
+    PlayerKeys Keys = PlayerKeys.None,
+    uint Sequence = 0,
+    PlayerSettings Settings = default,
+    int Place = 0,
+    PointerButtons Buttons = PointerButtons.None,
+    float Right = 0,
+    bool On = false)
 {
     /// <summary>Reads a frame. The bytes are untrusted: exact length, known kind, every value in its range, or false.</summary>
     /// <param name="bytes">One whole WebSocket message.</param>
@@ -32,8 +40,16 @@ internal readonly record struct ClientFrame(FrameKind Kind, PlayerKeys Keys = Pl
                 if (place >= placeCount) return false;
                 frame = new ClientFrame(FrameKind.Goto, Place: place);
                 return true;
-            case FrameKind.Use when body.IsEmpty:
-                frame = new ClientFrame(FrameKind.Use);
+            case FrameKind.Pointer when body.Length == 5:
+                float right = BinaryPrimitives.ReadSingleLittleEndian(body[1..]);
+                if (body[0] > (byte)(PointerButtons.Left | PointerButtons.Right) || !(Math.Abs(right) <= WireLimits.MaxPointerMove)) return false;
+                frame = new ClientFrame(FrameKind.Pointer, Buttons: (PointerButtons)body[0], Right: right);
+                return true;
+            case FrameKind.MouseTurning when body.Length == 1 && body[0] <= 1:
+                frame = new ClientFrame(FrameKind.MouseTurning, On: body[0] == 1);
+                return true;
+            case FrameKind.Use or FrameKind.AutoRun or FrameKind.FocusLost when body.IsEmpty:
+                frame = new ClientFrame((FrameKind)bytes[0]);
                 return true;
             default:
                 return false;

@@ -15,6 +15,20 @@ internal enum FrameKind : byte
     /// <summary>Page → server, nothing more: open or close the nearest door within reach.</summary>
     Use = 0x04,
 
+    /// <summary>
+    /// Page → server: <c>u8 buttons, f32 right</c>: the pointer's buttons held (<see cref="PointerButtons"/>), and how far it moved to the right, counts.
+    /// </summary>
+    Pointer = 0x05,
+
+    /// <summary>Page → server: <c>u8</c>, 1 when the right button turns the player, 0 when not.</summary>
+    MouseTurning = 0x06,
+
+    /// <summary>Page → server, nothing more: run ahead without a key from now on, or no longer.</summary>
+    AutoRun = 0x07,
+
+    /// <summary>Page → server, nothing more: the keyboard is elsewhere, and every key counts as let go.</summary>
+    FocusLost = 0x08,
+
     /// <summary>Server → page, once and first; see <see cref="ServerFrames.Welcome"/>.</summary>
     Welcome = 0x81,
 
@@ -52,14 +66,26 @@ internal enum PlayerKeys : byte
     Jump = 128,
 }
 
+/// <summary>The pointer's buttons, as a browser numbers them.</summary>
+[Flags]
+internal enum PointerButtons : byte
+{
+    None = 0,
+    Left = 1,
+    Right = 2,
+}
+
 /// <summary>Bounds of what a page may ask; the page is told them in the welcome.</summary>
 internal static class WireLimits
 {
     /// <summary>Version of the frames; a page of another version reloads itself.</summary>
-    public const byte Version = 2;
+    public const byte Version = 3;
 
     /// <summary>Longest frame a page sends, bytes.</summary>
     public const int LongestClientFrame = 9;
+
+    /// <summary>Farthest that a pointer moves between two frames, counts.</summary>
+    public const float MaxPointerMove = 10_000f;
 
     /// <summary>Shortest physics step, seconds.</summary>
     public const float MinQuantum = 1f / 30f;

@@ -95,6 +95,20 @@ internal sealed class StandInWorld : IWorkbenchWorld
             keys = now;
         }
 
+        public void MovePointer(PointerButtons held, float right, double now)
+        {
+        }
+
+        public void UseMouseTurning(bool on, double now)
+        {
+        }
+
+        public void ToggleAutoRun(double now)
+        {
+        }
+
+        public void LoseFocus(double now) => keys = PlayerKeys.None;
+
         public void Configure(PlayerSettings changed, double time) => settings = changed;
 
         public void Goto(WorkbenchPlace where, double time) =>

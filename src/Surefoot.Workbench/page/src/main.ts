@@ -5,6 +5,7 @@ import { commands } from "./hud/commands";
 import { Hud } from "./hud/hud";
 import { Inspection, type Frames } from "./hud/inspection";
 import { Keyboard } from "./hud/keys";
+import { Pointer } from "./hud/pointer";
 import { Connection } from "./net/connection";
 import { fetchPlaces } from "./net/places";
 import { Session } from "./net/session";
@@ -12,32 +13,39 @@ import { PoseFlag, type ServerFrame } from "./net/wire";
 import { WorldView } from "./things/worldView";
 
 const session = new Session();
-const world = new WorldView(document.getElementById("view") as HTMLCanvasElement);
+const surface = document.getElementById("view") as HTMLCanvasElement;
+const world = new WorldView(surface);
 const drawing: Frames = { count: 0, drawnAt: 0 };
 
 const connection = new Connection(receive, (state) => {
   hud.state(state);
-  if (state === "open") keyboard.releaseAll();
+  if (state !== "open") return;
+  keyboard.releaseAll();
+  connection.sendMouseTurning(pointer.turnsPlayer);
 });
 const hud = new Hud(
   {
     settings: (run, jump, burden) => connection.sendSettings(run, jump, burden),
     goto: (place) => connection.sendGoto(place),
   },
-  { triangles: toggleTriangles, shapes: toggleShapes },
+  { triangles: toggleTriangles, shapes: toggleShapes, mouse: toggleMouse },
 );
 const keyCommands = commands({
   triangles: toggleTriangles,
   shapes: toggleShapes,
   use: () => connection.sendUse(),
+  autoRun: () => connection.sendAutoRun(),
+  mouse: toggleMouse,
   recenter: () => world.stage.view.recenter(),
   panels: () => hud.togglePanels(),
   help: (shown) => hud.toggleHelp(shown),
 });
 const keyboard = new Keyboard(
   (bits) => connection.sendKeys(bits),
+  () => connection.sendFocusLost(),
   (code) => keyCommands.get(code)?.(),
 );
+const pointer = new Pointer(surface, (buttons, right) => connection.sendPointer(buttons, right));
 
 window.surefoot = new Inspection(world, session, hud, connection, drawing);
 void fetchPlaces().then((listing) => hud.listPlaces(listing.world, listing.places));
@@ -81,4 +89,11 @@ function toggleTriangles(): void {
 function toggleShapes(): void {
   world.showsShapes = !world.showsShapes;
   hud.showShapes(world.showsShapes);
+}
+
+function toggleMouse(): void {
+  pointer.turnsPlayer = !pointer.turnsPlayer;
+  world.stage.view.rightTurns = pointer.turnsPlayer;
+  connection.sendMouseTurning(pointer.turnsPlayer);
+  hud.showMouse(pointer.turnsPlayer);
 }

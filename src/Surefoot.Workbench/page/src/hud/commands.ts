@@ -4,6 +4,8 @@ interface Acts {
   triangles(): void;
   shapes(): void;
   use(): void;
+  autoRun(): void;
+  mouse(): void;
   recenter(): void;
   panels(): void;
   help(shown?: boolean): void;
@@ -16,6 +18,8 @@ export function commands(acts: Acts): ReadonlyMap<string, () => void> {
     ["KeyT", acts.triangles],
     ["KeyV", acts.shapes],
     ["KeyF", acts.use],
+    ["KeyR", acts.autoRun],
+    ["KeyM", acts.mouse],
     ["KeyC", acts.recenter],
     ["KeyP", acts.panels],
     ["KeyH", help],

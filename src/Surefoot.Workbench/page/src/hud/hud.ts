@@ -39,7 +39,7 @@ export class Hud {
   private capacity = 1;
   private listed: readonly Place[] = [];
 
-  constructor(private readonly asks: Asks, toggles: { triangles: () => void; shapes: () => void }) {
+  constructor(private readonly asks: Asks, toggles: { triangles: () => void; shapes: () => void; mouse: () => void }) {
     for (const field of document.querySelectorAll<HTMLElement>("[data-field]")) this.fields.set(field.dataset.field ?? "", field);
     for (const slider of [this.run, this.jump, this.burden]) {
       slider.addEventListener("input", () => this.slid());
@@ -56,6 +56,7 @@ export class Hud {
     });
     press("toggle-triangles", toggles.triangles);
     press("toggle-shapes", toggles.shapes);
+    press("toggle-mouse", toggles.mouse);
     press("toggle-help", () => this.toggleHelp());
   }
 
@@ -185,6 +186,10 @@ export class Hud {
 
   showShapes(shown: boolean): void {
     element("toggle-shapes").setAttribute("aria-pressed", String(shown));
+  }
+
+  showMouse(turns: boolean): void {
+    element("toggle-mouse").setAttribute("aria-pressed", String(turns));
   }
 
   toggleHelp(shown = element("help").hidden): void {

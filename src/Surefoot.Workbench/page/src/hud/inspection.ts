@@ -114,6 +114,11 @@ export class Inspection {
     return this.world.showsTriangles;
   }
 
+  /** The right button turns the player. */
+  get mouseTurning(): boolean {
+    return this.world.stage.view.rightTurns;
+  }
+
   get camera(): { orbit: number; zoom: number; away: number } {
     const { view } = this.world.stage;
     return { orbit: view.orbitAngle, zoom: view.zoom, away: view.away };

@@ -24,10 +24,12 @@ export class Keyboard {
 
   /**
    * @param onMove the bits held, whenever they change
+   * @param onLost the keyboard went elsewhere: what was held counts as let go
    * @param onCommand a key that is not movement, by its code
    */
   constructor(
     private readonly onMove: (bits: number) => void,
+    private readonly onLost: () => void,
     private readonly onCommand: (code: string) => void,
   ) {
     addEventListener("keydown", (event) => this.down(event));
@@ -39,7 +41,8 @@ export class Keyboard {
 
   releaseAll(): void {
     this.held.clear();
-    this.changed();
+    this.bits = 0;
+    this.onLost();
   }
 
   private down(event: KeyboardEvent): void {

@@ -1,6 +1,9 @@
 // The socket: sends what the person asks, hands out what the server says, and comes back by itself when the server does.
 
-import { decode, encodeGoto, encodeInput, encodeSettings, encodeUse, wireVersion, type ServerFrame } from "./wire";
+import {
+  decode, encodeAutoRun, encodeFocusLost, encodeGoto, encodeInput, encodeMouseTurning, encodePointer, encodeSettings, encodeUse, wireVersion,
+  type ServerFrame,
+} from "./wire";
 
 export type ConnectionState = "connecting" | "open" | "lost" | "full";
 
@@ -50,6 +53,22 @@ export class Connection {
 
   sendUse(): void {
     this.send(encodeUse());
+  }
+
+  sendPointer(buttons: number, right: number): void {
+    this.send(encodePointer(buttons, right));
+  }
+
+  sendMouseTurning(on: boolean): void {
+    this.send(encodeMouseTurning(on));
+  }
+
+  sendAutoRun(): void {
+    this.send(encodeAutoRun());
+  }
+
+  sendFocusLost(): void {
+    this.send(encodeFocusLost());
   }
 
   /** Sends bytes as they are; for tests of the server. */

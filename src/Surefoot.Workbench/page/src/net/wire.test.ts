@@ -1,6 +1,8 @@
 import { describe, expect, it } from "vitest";
 import samples from "./wire.samples.json";
-import { decode, encodeGoto, encodeInput, encodeSettings, encodeUse } from "./wire";
+import {
+  decode, encodeAutoRun, encodeFocusLost, encodeGoto, encodeInput, encodeMouseTurning, encodePointer, encodeSettings, encodeUse,
+} from "./wire";
 
 const bytes = (hex: string): ArrayBuffer =>
   Uint8Array.from(hex.replaceAll(" ", "").match(/../g) ?? [], (pair) => parseInt(pair, 16)).buffer;
@@ -12,6 +14,10 @@ describe("frames of the page", () => {
     expect(encodeSettings(samples.settings.runSkill, samples.settings.jumpSkill, samples.settings.burden)).toEqual(bytes(samples.settings.hex));
     expect(encodeGoto(samples.goto.place)).toEqual(bytes(samples.goto.hex));
     expect(encodeUse()).toEqual(bytes(samples.use.hex));
+    expect(encodePointer(samples.pointer.buttons, samples.pointer.right)).toEqual(bytes(samples.pointer.hex));
+    expect(encodeMouseTurning(true)).toEqual(bytes(samples.mouseTurning.hex));
+    expect(encodeAutoRun()).toEqual(bytes(samples.autoRun.hex));
+    expect(encodeFocusLost()).toEqual(bytes(samples.focusLost.hex));
   });
 });
 

@@ -1,6 +1,6 @@
 // The frames between this page and the server; `Wire/` in the server's source says the same. All numbers are little-endian.
 
-export const wireVersion = 2;
+export const wireVersion = 3;
 
 export const Key = {
   Forward: 1,
@@ -12,6 +12,9 @@ export const Key = {
   Walk: 64,
   Jump: 128,
 } as const;
+
+/** The pointer's buttons, as the browser numbers them. */
+export const Button = { Left: 1, Right: 2 } as const;
 
 export const PoseFlag = {
   Contact: 1,
@@ -159,6 +162,27 @@ export function encodeGoto(place: number): ArrayBuffer {
 
 export function encodeUse(): ArrayBuffer {
   return new Uint8Array([0x04]).buffer;
+}
+
+/** @param right how far the pointer moved to the right, counts */
+export function encodePointer(buttons: number, right: number): ArrayBuffer {
+  const view = new DataView(new ArrayBuffer(6));
+  view.setUint8(0, 0x05);
+  view.setUint8(1, buttons);
+  view.setFloat32(2, right, true);
+  return view.buffer;
+}
+
+export function encodeMouseTurning(on: boolean): ArrayBuffer {
+  return new Uint8Array([0x06, on ? 1 : 0]).buffer;
+}
+
+export function encodeAutoRun(): ArrayBuffer {
+  return new Uint8Array([0x07]).buffer;
+}
+
+export function encodeFocusLost(): ArrayBuffer {
+  return new Uint8Array([0x08]).buffer;
 }
 
 /** Reads a frame of the server; null for one this page does not know. */

@@ -1,7 +1,8 @@
-// Third-person camera: looks over the player's shoulder, turns with it, orbits while a mouse button drags, comes closer with the wheel.
+// Third-person camera: looks over the player's shoulder, turns with it, orbits while a button drags, comes closer with the wheel.
 
 import * as THREE from "three";
 import { wrapAngle } from "../net/timeline";
+import { Button } from "../net/wire";
 
 const eyeHeight = 1.45;
 const clearance = 0.45;
@@ -9,6 +10,8 @@ const indoorDistance = 3.6;
 const restPitch = 0.2;
 
 export class FollowCamera {
+  /** The right button turns the player, and the view follows; else it orbits as the left one does. */
+  rightTurns = true;
   readonly camera = new THREE.PerspectiveCamera(62, 1, 0.1, 4000);
   private distance = 6.5;
   private wantedDistance = 6.5;
@@ -26,7 +29,8 @@ export class FollowCamera {
       surface.classList.add("orbiting");
     });
     surface.addEventListener("pointermove", (event) => {
-      if (surface.hasPointerCapture(event.pointerId)) this.drag(event.movementX, event.movementY);
+      const turns = this.rightTurns && (event.buttons & Button.Right) !== 0;
+      if (surface.hasPointerCapture(event.pointerId) && !turns) this.drag(event.movementX, event.movementY);
     });
     surface.addEventListener("pointerup", () => surface.classList.remove("orbiting"));
     surface.addEventListener("pointercancel", () => surface.classList.remove("orbiting"));
