@@ -9,13 +9,15 @@ using Surefoot.Physics.World;
 namespace Surefoot.Physics;
 
 /// <summary>
-/// The door: a world and the bodies in it. One thread at a time; worlds share nothing that is written, so each thread may have its own.
+/// The door: a world and the bodies in it. One thread at a time changes it; while nobody does, any number of threads may ask (<see cref="Resolve"/>,
+/// <see cref="PhysicsBody.Probe(in Position)"/>). Worlds share nothing that is written, so each thread may have its own.
 /// </summary>
 /// <remarks>Retail: CPhysics.</remarks>
 public sealed class PhysicsEngine
 {
     private readonly BodyTable bodies = new();
     private readonly StaticAnimations statics = new();
+    private readonly ThreadLocal<TransitionPool> questions;
     private double lastUpdate;
     private ulong rollState;
 
@@ -27,6 +29,7 @@ public sealed class PhysicsEngine
         ArgumentNullException.ThrowIfNull(world);
         World = world;
         Transitions = new TransitionPool(world);
+        questions = new ThreadLocal<TransitionPool>(() => new TransitionPool(world));
         rollState = seed;
         if (world is not PhysicsWorld loaded) return;
         loaded.Attach(this);
@@ -55,7 +58,11 @@ public sealed class PhysicsEngine
         set => Transitions.Trace = value;
     }
 
+    /// <summary>The work objects of those who change bodies, one thread at a time.</summary>
     internal TransitionPool Transitions { get; }
+
+    /// <summary>The work objects of those who only ask: each thread has its own, and threads share nothing that is written.</summary>
+    internal TransitionPool Questions => questions.Value!;
 
     /// <summary>Bodies in the order in which they are updated.</summary>
     public IEnumerable<PhysicsBody> Bodies => bodies;
@@ -119,7 +126,7 @@ public sealed class PhysicsEngine
 
     /// <summary>
     /// Where a body of this shape would end that wants to go from one place to another in one quantum, standing where it
-    /// begins when it touches the ground there. Nothing in the world changes.
+    /// begins when it touches the ground there. Nothing in the world changes, so any number of threads may ask while nobody changes it.
     /// </summary>
     /// <param name="setup">Shape of the body.</param>
     /// <param name="from">Begin.</param>
@@ -188,9 +195,10 @@ public sealed class PhysicsEngine
 /// <param name="CollisionNormal">Unit normal of the last collision on the way, or null.</param>
 /// <param name="CollidedWithEnvironment">It hit terrain, a building, a room or a static object without standing.</param>
 /// <param name="SlidingNormal">Horizontal unit normal, or zero, of the wall it slides along next; null for none.</param>
+/// <param name="LosesVelocity">A body that goes there loses its velocity, even when no valid position was found.</param>
 public readonly record struct ResolveResult(
     bool Found, Position Position, bool HasContact, Plane ContactPlane, Vector3? CollisionNormal, bool CollidedWithEnvironment,
-    Vector3? SlidingNormal)
+    Vector3? SlidingNormal, bool LosesVelocity)
 {
     internal static ResolveResult Of(bool found, Transition transition)
     {
@@ -198,6 +206,6 @@ public readonly record struct ResolveResult(
         return new ResolveResult(
             found, transition.Path.CurrPos, met.ContactPlaneValid, met.ContactPlane,
             met.CollisionNormalValid ? met.CollisionNormal : null, met.CollidedWithEnvironment,
-            met.SlidingNormalValid ? met.SlidingNormal : null);
+            met.SlidingNormalValid ? met.SlidingNormal : null, met.StopsMover);
     }
 }

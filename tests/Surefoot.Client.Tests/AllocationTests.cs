@@ -81,6 +81,16 @@ public sealed class AllocationTests(DemoFiles files) : IClassFixture<DemoFiles>
         Assert.Equal(0, Allocated(jump));
     }
 
+    [Fact]
+    [Behaviour("performance.probe-allocates-nothing", "design.md, decision 4")]
+    public void Asking_where_a_way_leads_allocates_nothing()
+    {
+        DemoWalk walk = new(files, "forest", new CharacterStats(300, 300));
+        Position place = walk.Position;
+        place.Frame.Origin += new Vector3(3, 4, 0);
+        Assert.Equal(0, Allocated(() => walk.Body.Probe(place)));
+    }
+
     /// <summary>Steps that begin again from a seat every so often.</summary>
     private static Action Repeated(DemoWalk walk, BodySeat seat, int period)
     {

@@ -133,7 +133,9 @@ public sealed partial class PhysicsBody
 
         if ((Weenie & (WeenieTraits.Hook | WeenieTraits.Storage | WeenieTraits.Corpse)) != 0) return ForceIntoCell(cell, place);
         if ((flags & PlacementFlags.DoNotCreateCells) != 0) transition.Cells.DoNotLoadCells = true;
-        if (!CheckPosition(cell, ref place, transition, (flags & PlacementFlags.Slide) != 0))
+        bool free = CheckPosition(cell, ref place, transition, (flags & PlacementFlags.Slide) != 0);
+        TakeStop(transition);
+        if (!free)
             return HandleAllCollisions(transition.Collision, false, false, updateTime) ? PlacementResult.Collided : PlacementResult.NoValidPosition;
         if (transition.Path.CurrCell is null) return PlacementResult.NoCell;
         Commit(transition, updateTime);

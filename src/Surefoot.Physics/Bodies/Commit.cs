@@ -10,30 +10,57 @@ public sealed partial class PhysicsBody
 {
     private static readonly Sphere[] DummySphere = [new(new Vector3(0, 0, 0.1f), 0.1f)];
 
-    /// <summary>Runs a transition of this body from where it is to <paramref name="to"/>; false when no valid position was found.</summary>
-    /// <remarks>Retail: CPhysicsObj::transition @0x00512DC0.</remarks>
-    internal bool Sweep(Transition transition, in Position to)
+    /// <summary>What the body is between two quanta.</summary>
+    private BodySeat CurrentSeat =>
+        new(PositionField, velocity, Transient, contactPlane, ContactPlaneCellId, SlidingNormal, collidingWithEnvironment);
+
+    /// <summary>
+    /// Where the body would end if it went from where it is to <paramref name="to"/> in one sweep. Nothing changes, so any number of threads may ask while nobody
+    /// changes the world.
+    /// </summary>
+    /// <exception cref="ArgumentException">The position is not finite.</exception>
+    public ResolveResult Probe(in Position to) => Probe(CurrentSeat, Cell, to);
+
+    /// <summary>
+    /// Where the body would end if it were in another state and went from there to <paramref name="to"/> in one sweep: how a server checks a movement that a
+    /// client claims. Nothing changes, so any number of threads may ask while nobody changes the world.
+    /// </summary>
+    /// <param name="from">The state it begins in.</param>
+    /// <param name="to">Where it wants to go.</param>
+    /// <returns>The outcome; <see cref="ResolveResult.Found"/> is false when the cell it begins in is not loaded.</returns>
+    /// <exception cref="ArgumentException">A position or the velocity is not finite.</exception>
+    public ResolveResult Probe(in BodySeat from, in Position to)
     {
-        SeedMover(transition, SeedContact(transition));
-        transition.Path.InitPath(Cell, hasBegin: true, PositionField, to);
-        transition.Collision.FramesStationaryFall =
-            Has(TransientState.StationaryStuck) ? 3 : Has(TransientState.StationaryStop) ? 2 : Has(TransientState.StationaryFall) ? 1 : 0;
-        return transition.FindValidPosition();
+        ThrowIfNotFinite(from.Position.Frame.Origin, nameof(from));
+        ThrowIfNotFinite(from.Velocity, nameof(from));
+        return Probe(from, engine.World.GetVisible(from.Position.CellId), to);
     }
 
-    /// <summary>Where the body would end if it went from where it is to <paramref name="to"/> in one sweep; the body itself stays as it is.</summary>
-    /// <exception cref="ArgumentException">The position is not finite.</exception>
-    public ResolveResult Probe(in Position to)
+    private ResolveResult Probe(in BodySeat from, ObjCell? cell, in Position to)
     {
         ThrowIfNotFinite(to.Frame.Origin, nameof(to));
-        if (!engine.Transitions.TryRent(out Transition? transition)) return default;
-        Vector3 before = velocity;
-        TransientState bits = Transient;
-        double time = updateTime;
-        bool found = Sweep(transition, to);
-        (velocity, Transient, updateTime) = (before, bits, time);
-        engine.Transitions.Return();
-        return ResolveResult.Of(found, transition);
+        TransitionPool pool = engine.Questions;
+        if (!pool.TryRent(out Transition? transition)) return default;
+        try
+        {
+            return ResolveResult.Of(Sweep(transition, from, cell, to), transition);
+        }
+        finally
+        {
+            pool.Return();
+        }
+    }
+
+    /// <summary>Runs a transition of this body from a state to a place; false when no valid position was found. The body stays as it is.</summary>
+    /// <remarks>Retail: CPhysicsObj::transition @0x00512DC0.</remarks>
+    private bool Sweep(Transition transition, in BodySeat from, ObjCell? cell, in Position to)
+    {
+        SeedMover(transition, SeedContact(transition, from));
+        transition.Path.InitPath(cell, hasBegin: true, from.Position, to);
+        transition.Collision.FramesStationaryFall = (from.Transient & TransientState.StationaryStuck) != 0 ? 3
+            : (from.Transient & TransientState.StationaryStop) != 0 ? 2
+            : (from.Transient & TransientState.StationaryFall) != 0 ? 1 : 0;
+        return transition.FindValidPosition();
     }
 
     private void SeedMover(Transition transition, MoverFlags flags)
@@ -43,31 +70,42 @@ public sealed partial class PhysicsBody
         else transition.Path.InitSpheres(DummySphere, 1f);
     }
 
-    /// <summary>What the body stands on and slides along goes into the transition.</summary>
-    /// <remarks>Retail: CPhysicsObj::get_object_info @0x00511CC0.</remarks>
-    private MoverFlags SeedContact(Transition transition)
+    /// <summary>What the body stands on and slides along goes into the transition; a plane that its velocity leads away from is left behind.</summary>
+    /// <remarks>Retail: CPhysicsObj::get_object_info @0x00511CC0, check_contact @0x0050F5B0.</remarks>
+    private MoverFlags SeedContact(Transition transition, in BodySeat from)
     {
         MoverFlags flags = MoverFlags.None;
         if (State.Has(PhysicsState.EdgeSlide)) flags |= MoverFlags.EdgeSlide;
-        if (HasContact)
+        if ((from.Transient & TransientState.Contact) != 0)
         {
-            bool water = Has(TransientState.WaterContact);
-            if (CheckContact())
+            bool water = (from.Transient & TransientState.WaterContact) != 0;
+            if (RetailMath.Dot(from.Velocity, from.ContactPlane.Normal) > RetailMath.Epsilon)
             {
-                transition.InitContactPlane(ContactPlaneCellId, contactPlane, water);
-                flags |= MoverFlags.Contact;
-                if (OnWalkable) flags |= MoverFlags.OnWalkable;
+                transition.InitLastKnownContactPlane(from.ContactPlaneCellId, from.ContactPlane, water);
             }
             else
             {
-                transition.InitLastKnownContactPlane(ContactPlaneCellId, contactPlane, water);
+                transition.InitContactPlane(from.ContactPlaneCellId, from.ContactPlane, water);
+                flags |= MoverFlags.Contact;
+                if ((from.Transient & TransientState.OnWalkable) != 0) flags |= MoverFlags.OnWalkable;
             }
         }
 
-        if (Has(TransientState.Sliding)) transition.Collision.SetSlidingNormal(SlidingNormal);
+        if ((from.Transient & TransientState.Sliding) != 0) transition.Collision.SetSlidingNormal(from.SlidingNormal);
         if (Setup is { AllowFreeHeading: true }) flags |= MoverFlags.FreeRotate;
         if (State.Has(PhysicsState.Missile)) flags |= MoverFlags.PathClipped;
         return flags;
+    }
+
+    /// <summary>
+    /// A transition may have decided that the body loses its velocity. To be asked as soon as it ends, whatever becomes of its result: retail stops the body from
+    /// inside.
+    /// </summary>
+    private void TakeStop(Transition transition)
+    {
+        if (!transition.Collision.StopsMover) return;
+        transition.Collision.StopsMover = false;
+        SetVelocity(Vector3.Zero);
     }
 
     /// <summary>Takes over the result of a transition. The order of the steps is load-bearing.</summary>

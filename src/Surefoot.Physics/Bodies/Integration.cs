@@ -134,8 +134,9 @@ public sealed partial class PhysicsBody
             return;
         }
 
-        bool found = Sweep(transition, proposal);
+        bool found = Sweep(transition, CurrentSeat, Cell, proposal);
         engine.Transitions.Return();
+        TakeStop(transition);
         if (!found || (engine.RefuseLeavingCells && transition.Path.CurrCell is null))
         {
             TurnOnly(proposal.Frame);

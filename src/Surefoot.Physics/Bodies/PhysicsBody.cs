@@ -246,13 +246,6 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody, IHookTarget
         CalcAcceleration();
     }
 
-    /// <inheritdoc/>
-    internal override void KillVelocity() => SetVelocity(Vector3.Zero);
-
-    /// <summary>False when the velocity leads away from the contact plane.</summary>
-    /// <remarks>Retail: CPhysicsObj::check_contact @0x0050F5B0.</remarks>
-    private bool CheckContact() => !(HasContact && RetailMath.Dot(velocity, contactPlane.Normal) > RetailMath.Epsilon);
-
     /// <summary>Gravity, or nothing; a body that stands does not turn by itself either.</summary>
     /// <remarks>Retail: CPhysicsObj::calc_acceleration @0x00510950.</remarks>
     private void CalcAcceleration()

@@ -73,9 +73,4 @@ public partial class WorldObject
         PositionField = position;
         Cell = cell;
     }
-
-    /// <summary>Stops a moving object; others have no velocity.</summary>
-    internal virtual void KillVelocity()
-    {
-    }
 }

@@ -49,6 +49,16 @@ public sealed class CollisionInfo
     /// <summary>Terrain, a building, a room or a static object was hit by a mover without contact.</summary>
     public bool CollidedWithEnvironment { get; set; }
 
+    /// <summary>
+    /// The mover loses its velocity, wherever it ends and even if it stays where it began: a step was taken back while it rested on something, or a landing was
+    /// refused. Whoever ran the transition for a live body stops that body before anything else.
+    /// </summary>
+    /// <remarks>
+    /// Retail: OBJECTINFO::kill_velocity @0x0050CFE0, which stops the body at once. Nothing in a transition reads the body's velocity, so it makes no difference
+    /// to wait for the end; and a sweep that only asks changes nobody.
+    /// </remarks>
+    public bool StopsMover { get; internal set; }
+
     /// <summary>How many quanta in a row the body failed to move, 0 to 3.</summary>
     public int FramesStationaryFall { get; set; }
 
@@ -69,9 +79,10 @@ public sealed class CollisionInfo
         SlidingNormal = CollisionNormal = default;
         ContactPlaneIsWater = LastKnownContactPlaneIsWater = false;
         LastKnownContactPlaneCellId = 0;
+        StopsMover = false;
     }
 
-    /// <summary>Clears the record between two attempts to place a body.</summary>
+    /// <summary>Clears the record between two attempts to place a body; what was decided about its velocity stays.</summary>
     /// <remarks>Retail: COLLISIONINFO::init @0x00509D60.</remarks>
     internal void Clear()
     {

@@ -83,7 +83,7 @@ public sealed partial class Transition
         Collision.VoidContactPlane();
         if (Collision.LastKnownContactPlaneValid)
         {
-            Object.KillVelocity();
+            Collision.StopsMover = true;
             Collision.LastKnownContactPlaneValid = false;
         }
         else

@@ -5,15 +5,24 @@ using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Transitions;
 
-/// <summary>The mover as the transition sees it, and its rule for touching terrain.</summary>
+/// <summary>
+/// The mover as the transition sees it, and its rule for touching terrain. What a sweep needs of a body is copied when it begins; the body itself is neither read
+/// nor written until the sweep is over.
+/// </summary>
 /// <remarks>Retail: OBJECTINFO.</remarks>
 public sealed class ObjectInfo
 {
     /// <summary>Lowest value of the step-down interpolation that is still footing.</summary>
     private const float InterpFloor = -0.1f;
 
-    /// <summary>The moving body; null before a transition was given one.</summary>
+    /// <summary>Whose sweep it is, so that nobody runs into himself; null before a transition was given one.</summary>
     public WorldObject? Mover { get; private set; }
+
+    /// <summary>The mover's physics state word.</summary>
+    public PhysicsState State { get; private set; }
+
+    /// <summary>What the server says of the mover.</summary>
+    public WeenieTraits Weenie { get; private set; }
 
     /// <summary>Who moves and how it stands; contact bits are rewritten after every sub-step.</summary>
     public MoverFlags Flags { get; internal set; }
@@ -38,6 +47,8 @@ public sealed class ObjectInfo
     internal void Reset()
     {
         Mover = null;
+        State = PhysicsState.None;
+        Weenie = WeenieTraits.None;
         Flags = MoverFlags.None;
         TargetId = 0;
     }
@@ -46,28 +57,25 @@ public sealed class ObjectInfo
     internal void Init(WorldObject mover, MoverFlags flags)
     {
         Mover = mover;
+        State = mover.State;
+        Weenie = mover.Weenie;
         StepUpHeight = mover.StepUpHeight;
         StepDownHeight = mover.StepDownHeight;
-        Ethereal = mover.State.Has(PhysicsState.Ethereal);
-        KeepsToGround = !mover.State.Has(PhysicsState.Missile);
-        WeenieTraits weenie = mover.Weenie;
-        if ((weenie & WeenieTraits.Impenetrable) != 0) flags |= MoverFlags.IsImpenetrable;
-        if ((weenie & WeenieTraits.Player) != 0) flags |= MoverFlags.IsPlayer;
-        if ((weenie & WeenieTraits.PK) != 0) flags |= MoverFlags.IsPK;
-        if ((weenie & WeenieTraits.PKLite) != 0) flags |= MoverFlags.IsPKLite;
+        Ethereal = State.Has(PhysicsState.Ethereal);
+        KeepsToGround = !State.Has(PhysicsState.Missile);
+        if ((Weenie & WeenieTraits.Impenetrable) != 0) flags |= MoverFlags.IsImpenetrable;
+        if ((Weenie & WeenieTraits.Player) != 0) flags |= MoverFlags.IsPlayer;
+        if ((Weenie & WeenieTraits.PK) != 0) flags |= MoverFlags.IsPK;
+        if ((Weenie & WeenieTraits.PKLite) != 0) flags |= MoverFlags.IsPKLite;
         Flags = flags;
     }
-
-    /// <summary>Zeroes the velocity of the live body at once, even if the transition is dropped later.</summary>
-    /// <remarks>Retail: OBJECTINFO::kill_velocity @0x0050CFE0.</remarks>
-    internal void KillVelocity() => Mover?.KillVelocity();
 
     /// <summary>True when a missile passes <paramref name="other"/>.</summary>
     /// <remarks>Retail: OBJECTINFO::missile_ignore @0x0050CEB0.</remarks>
     internal bool MissileIgnores(WorldObject other)
     {
         if (other.State.Has(PhysicsState.Missile)) return true;
-        if (Mover is null || !Mover.State.Has(PhysicsState.Missile)) return false;
+        if (!State.Has(PhysicsState.Missile)) return false;
         if (other.Id == TargetId || other.Weenie == WeenieTraits.None) return false;
         return other.State.Has(PhysicsState.Ethereal) || (TargetId != 0 && (other.Weenie & WeenieTraits.Creature) != 0);
     }

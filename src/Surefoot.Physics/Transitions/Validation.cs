@@ -48,7 +48,7 @@ public sealed partial class Transition
         bool regained = false;
         if (Collision.LastKnownContactPlaneValid)
         {
-            Object.KillVelocity();
+            Collision.StopsMover = true;
             // Retail makes no block correction here: near a border the plane may fail to be regained.
             double distance = RetailMath.Distance(Collision.LastKnownContactPlane, Path.GlobalCurrCenters[0]);
             if ((double)Path.GlobalSpheres[0].Radius + RetailMath.Epsilon > Math.Abs(distance))
@@ -71,7 +71,7 @@ public sealed partial class Transition
     /// </summary>
     private void CountStationaryFall(bool moved)
     {
-        if (Object.Has(MoverFlags.IsViewer) || Object.Mover is null || !Object.Mover.State.Has(PhysicsState.Gravity)) return;
+        if (Object.Has(MoverFlags.IsViewer) || !Object.State.Has(PhysicsState.Gravity)) return;
         if (moved)
         {
             Collision.FramesStationaryFall = 0;

@@ -99,5 +99,5 @@ public sealed class LandCell : ObjCell
 
     /// <summary>A block that is water all over stops everything but the camera and missiles.</summary>
     private static bool IsStoppedByOpenWater(ObjectInfo mover) =>
-        !mover.Has(MoverFlags.IsViewer) && mover.Mover is { } body && (body.State & PhysicsState.Missile) == 0;
+        !mover.Has(MoverFlags.IsViewer) && mover.Mover is not null && !mover.State.Has(PhysicsState.Missile);
 }

@@ -5,6 +5,7 @@ using Surefoot.Physics;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
+using Surefoot.Physics.Motion;
 using Surefoot.Physics.World;
 
 namespace Surefoot.Client.Tests.Properties;
@@ -50,6 +51,34 @@ public sealed class DeterminismProperties(DemoFiles files) : IClassFixture<DemoF
                 Assert.Equal(one, other);
             },
             iter: Fuzz.Cases(150));
+
+    [Fact]
+    [Behaviour("properties.questions-from-threads-same-bits", "design.md, decisions 5 and 6")]
+    public void Threads_that_ask_at_once_get_the_answers_that_one_alone_gets_and_change_no_bit()
+    {
+        DemoWalk walk = new(files, "forest", new CharacterStats(300, 300));
+        PhysicsBody[] bodies = [walk.Body, .. walk.SpawnRunners(20, spacing: 1.3f)];
+        for (int i = 0; i < 60; i++) walk.Tick();
+        Position[] wishes = [.. Enumerable.Range(0, 400).Select(i => Ahead(bodies[i % bodies.Length], (float)(i * 0.7), 0.2f + (i % 7)))];
+        ulong before = walk.Body.Engine.HashState();
+        ResolveResult[] alone = [.. wishes.Select((wish, i) => bodies[i % bodies.Length].Probe(wish))];
+        for (int round = 0; round < 5; round++)
+        {
+            ResolveResult[] together = new ResolveResult[wishes.Length];
+            Parallel.For(0, wishes.Length, new ParallelOptions { MaxDegreeOfParallelism = 4 }, i => together[i] = bodies[i % bodies.Length].Probe(wishes[i]));
+            Assert.Equal(alone, together);
+        }
+
+        Assert.Contains(alone, answer => answer.LosesVelocity);
+        Assert.Equal(before, walk.Body.Engine.HashState());
+    }
+
+    private static Position Ahead(PhysicsBody body, float direction, float way)
+    {
+        Position place = body.Position;
+        place.Frame.Origin += way * new Vector3(MathF.Cos(direction), MathF.Sin(direction), 0);
+        return place;
+    }
 
     /// <summary>Places outdoors that are too far from each other for bodies to meet.</summary>
     private static NamedPlace[] Apart { get; } = FindApart();

@@ -20,6 +20,9 @@ internal sealed class StubWorld : ICellWorld
 
     internal Func<Transition, bool>? Blocks { set => cell.Blocks = value; }
 
+    /// <summary>Where the cell is loaded for the centre of a sphere path; everywhere without it.</summary>
+    internal Func<SpherePath, bool>? IsLoaded { private get; set; }
+
     internal StubCell Cell => cell;
 
     public LeftOutList LeftOut { get; } = new();
@@ -30,7 +33,7 @@ internal sealed class StubWorld : ICellWorld
     {
         array.Clear();
         array.Add(CellId, cell);
-        if (wantHome) home = cell;
+        if (wantHome) home = IsLoaded is { } loaded && !loaded(path) ? null : cell;
     }
 
     public bool AdjustPosition(ref Position position, in Vector3 center, out ObjCell? adjusted)

@@ -1,0 +1,76 @@
+using Surefoot.Client;
+using Surefoot.Dats;
+using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Geometry;
+using Surefoot.Physics.Motion;
+using Surefoot.Physics.World;
+
+namespace Surefoot.Scenes;
+
+/// <summary>
+/// Players who ran side by side through the same landblock, a few metres apart and listed in the same cells, and the quanta of their runs, to be asked about again by
+/// as many threads.
+/// </summary>
+public sealed class ProbeRun : SceneRun
+{
+    private const int Quanta = 60, SettlingSteps = 10;
+
+    private readonly List<Way[]> runs = [];
+
+    /// <summary>Lets them run.</summary>
+    /// <param name="dats">The demo world's files.</param>
+    /// <param name="place">Where the first one begins.</param>
+    /// <param name="runners">How many there are.</param>
+    /// <param name="spacing">Metres from one to the next.</param>
+    public ProbeRun(DatSet dats, string place, int runners, float spacing)
+        : base(dats)
+    {
+        Position first = Load(place, 2);
+        List<LocalPlayer> players = [];
+        for (int i = 0; i < runners; i++)
+        {
+            Position start = new(first.CellId, new Frame(first.Frame.Origin + (i * spacing * first.Frame.XAxis), first.Frame.Rotation));
+            players.Add(LocalPlayer.Spawn(Engine, (uint)(i + 1), Human, Motions, start, new CharacterStats(300, 300))
+                ?? throw new InvalidOperationException($"There is no room at {place}."));
+            runs.Add(new Way[Quanta]);
+        }
+
+        double now = 0;
+        for (int step = -SettlingSteps; step < Quanta; step++)
+        {
+            now += Quantum + 1e-9;
+            for (int i = 0; i < runners; i++)
+            {
+                players[i].Update(step < 0 ? MovementKeys.None : MovementKeys.Forward, now);
+                if (step >= 0) runs[i][step] = Way.Of(players[i].Body);
+            }
+
+            Engine.Tick(now);
+            for (int i = 0; step >= 0 && i < runners; i++) runs[i][step] = runs[i][step] with { To = players[i].Body.Position };
+        }
+
+        Bodies = [.. players.Select(player => player.Body)];
+    }
+
+    /// <summary>Those who ran.</summary>
+    public IReadOnlyList<PhysicsBody> Bodies { get; }
+
+    /// <summary>All players go on by a quantum.</summary>
+    public override void Step() => Engine.Tick(Engine.Now + Quantum + 1e-9);
+
+    /// <summary>Asks about each quantum of a player's run once.</summary>
+    /// <param name="runner">Which player.</param>
+    /// <returns>How many questions that were.</returns>
+    public int Ask(int runner)
+    {
+        PhysicsBody body = Bodies[runner];
+        foreach (ref readonly Way way in runs[runner].AsSpan()) body.Probe(way.From, way.To);
+        return Quanta;
+    }
+
+    private readonly record struct Way(BodySeat From, Position To)
+    {
+        public static Way Of(PhysicsBody body) => new(
+            new BodySeat(body.Position, body.Velocity, body.Transient, body.ContactPlane, body.ContactPlaneCellId, body.SlidingNormal), body.Position);
+    }
+}
