@@ -70,7 +70,7 @@ public sealed class WorkbenchServer : IAsyncDisposable
         bool demo = options.DatFolder is null;
         DatSet dats = DatSet.Open(options.DatFolder ?? DemoWorldCache.GetOrCreate(notice: options.Notice));
         IReadOnlyList<WorkbenchPlace> places = options.Places ?? (demo ? KnownPlaces.Demo() : KnownPlaces.Retail());
-        IWorkbenchWorld? world = null;
+        SimulatedWorld? world = null;
         try
         {
             string name = demo ? "Demo world" : Path.GetFileName(Path.TrimEndingDirectorySeparator(dats.Folder));

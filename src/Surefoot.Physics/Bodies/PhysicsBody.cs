@@ -155,12 +155,12 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody, IHookTarget
     }
 
     /// <summary>Sets the velocity from the body's own axes.</summary>
-    /// <param name="value">m/s; x right, y ahead, z up.</param>
+    /// <param name="velocity">m/s; x right, y ahead, z up.</param>
     /// <remarks>Retail: CPhysicsObj::set_local_velocity @0x005114D0.</remarks>
-    public void SetLocalVelocity(Vector3 value)
+    public void SetLocalVelocity(Vector3 velocity)
     {
-        ThrowIfNotFinite(value, nameof(value));
-        SetVelocity(PositionField.Frame.LocalToGlobalVector(value));
+        ThrowIfNotFinite(velocity, nameof(velocity));
+        SetVelocity(PositionField.Frame.LocalToGlobalVector(velocity));
     }
 
     /// <summary>Velocity in the body's own axes, m/s.</summary>

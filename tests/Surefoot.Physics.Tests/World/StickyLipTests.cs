@@ -52,7 +52,7 @@ public sealed class StickyLipTests
         engine.Trace = responses;
         PhysicsBody runner = Begin(speed: 4, start: -1.566f);
         Vector3 lip = default;
-        for (int i = 0; i < 40 && !responses.StepsUp.Any(); i++) lip = Next(runner);
+        for (int i = 0; i < 40 && responses.StepsUp.Count == 0; i++) lip = Next(runner);
         Assert.Equal(0.06f, Assert.Single(responses.StepsUp), 0.01f);
         Assert.Equal(responses.StepsUp[0], lip.Y);
         Assert.Equal(FloorZ, lip.Z, 1e-4f);
