@@ -111,7 +111,8 @@ public ref struct WireWriter
         WriteUInt16((ushort)value);
     }
 
-    /// <summary>Writes an id whose kind the context knows; id 0 becomes <paramref name="baseId"/> (specification 08, 3, packedDid).</summary>
+    /// <summary>Writes an id whose kind the context knows; id 0 becomes <paramref name="baseId"/> (specification 08, 3,
+    /// packedDid).</summary>
     /// <param name="id">In baseId … baseId + 0x3FFFFFFF.</param>
     /// <param name="baseId">Lowest id of the kind.</param>
     public void WritePackedId(uint id, uint baseId)
@@ -126,7 +127,7 @@ public ref struct WireWriter
     public void Align4() => WriteZeros(-Position & 3);
 
     /// <summary>Writes bytes as they are.</summary>
-    public void WriteBytes(ReadOnlySpan<byte> source)
+    public void WriteBytes(scoped ReadOnlySpan<byte> source)
     {
         if (Take(source.Length) is { IsEmpty: false } target)
             source.CopyTo(target);

@@ -1,6 +1,7 @@
 namespace Surefoot.Protocol.Messages;
 
-/// <summary>The queue that a message travels in: the last field of a fragment's header (specification 08, 2.5). Order is kept within a group only.</summary>
+/// <summary>The queue that a message travels in: the last field of a fragment's header (specification 08, 2.5). Order is kept within a
+/// group only.</summary>
 public enum MessageGroup : ushort
 {
     /// <summary>Requests about the session's objects.</summary>

@@ -2,7 +2,8 @@ namespace Surefoot.Protocol.Messages;
 
 /// <summary>Which message it is.</summary>
 /// <param name="Opcode">The first number of the message.</param>
-/// <param name="Inner">The type of what a wrapper holds, for <see cref="Opcode.GameAction"/> and <see cref="Opcode.GameEvent"/>; else 0.</param>
+/// <param name="Inner">The type of what a wrapper holds, for <see cref="Opcode.GameAction"/> and <see cref="Opcode.GameEvent"/>; else
+/// 0.</param>
 public readonly record struct MessageId(Opcode Opcode, uint Inner = 0)
 {
     /// <summary>The type of a game action; 0 for other messages.</summary>

@@ -40,7 +40,8 @@ public readonly ref struct WireMessage
         message = opcode switch
         {
             Opcode.GameAction when bytes.Length >= 12 => new(bytes, new MessageId(opcode, Number(bytes, 8)), Number(bytes, 4), 0),
-            Opcode.GameEvent when bytes.Length >= 16 => new(bytes, new MessageId(opcode, Number(bytes, 12)), Number(bytes, 8), Number(bytes, 4)),
+            Opcode.GameEvent when bytes.Length >= 16
+                => new(bytes, new MessageId(opcode, Number(bytes, 12)), Number(bytes, 8), Number(bytes, 4)),
             _ => new(bytes, new MessageId(opcode), 0, 0),
         };
         return true;

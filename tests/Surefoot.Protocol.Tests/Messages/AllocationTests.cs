@@ -19,7 +19,8 @@ public class AllocationTests
             State = new MoveToState(new WireRawMotion(2, turnCommand: 0x6500000D, actions: actions), place, stamps, true, false),
             Jump = new Jump(1, Vector3.UnitZ, place, stamps),
             Report = new AutonomousPosition(place, stamps, true),
-            Motion = new UpdateMotion(1, 2, 3, 4, true, MovementData.Motion(0x3D, new WireInterpretedMotion(forwardCommand: 7, actions: actions), 5)),
+            Motion = new UpdateMotion(
+                1, 2, 3, 4, true, MovementData.Motion(0x3D, new WireInterpretedMotion(forwardCommand: 7, actions: actions), 5)),
             Chase = new UpdateMotion(1, 2, 3, 4, false, MovementData.MoveToObject(0x3D, 7, 8, Vector3.One, goal, 2)),
             Position = new UpdatePosition(1, new PositionPack(place, true, 1, 2, 3, 4, Vector3.One, 0x65)),
             Vector = new VectorUpdate(1, Vector3.One, Vector3.Zero, 1, 2),

@@ -63,7 +63,10 @@ public class CommandTableTests
     [Fact, Behaviour("protocol.commands.retail-table", "08, appendix A")]
     public void Every_command_of_the_appendix_has_its_full_id()
     {
-        uint[] expected = AppendixA.Split('\n').SelectMany(line => line.Trim()[5..].Split(' ')).Select(id => Convert.ToUInt32(id, 16)).ToArray();
+        uint[] expected =
+        [
+            .. AppendixA.Split('\n').SelectMany(line => line.Trim()[5..].Split(' ')).Select(id => Convert.ToUInt32(id, 16)),
+        ];
         Assert.Equal(408, expected.Length);
         for (ushort low = 0; low < expected.Length; low++)
         {

@@ -46,7 +46,7 @@ internal sealed class RandomValues(int seed)
         if (type == typeof(MotionAction))
             return new MotionAction(Of<ushort>(), (ushort)(Of<ushort>() & 0x7FFF), Chance(), Of<float>());
         if (type == typeof(MotionActions))
-            return new MotionActions(Enumerable.Range(0, random.Next(4) == 0 ? random.Next(32) : 0).Select(_ => Of<MotionAction>()).ToArray());
+            return new MotionActions(Several<MotionAction>(random.Next(4) == 0 ? random.Next(32) : 0));
         if (type == typeof(MovementData))
             return Movement();
         if (type == typeof(PositionAndMovement))
@@ -64,13 +64,13 @@ internal sealed class RandomValues(int seed)
         if (type == typeof(PlayerDescription))
             return Player((PlayerDescription)Composed(type));
         if (type == typeof(CharacterBelongings))
-            return (CharacterBelongings)Composed(type) with { SpellBars = (ValueList<ValueList<uint>>)List(typeof(ValueList<uint>), 8) };
+            return (CharacterBelongings)Composed(type) with { SpellBars = [.. Several<ValueList<uint>>(8)] };
         if (type == typeof(CharacterCreate))
-            return ((CharacterCreate)Composed(type)) with { Appearance = (ValueList<uint>)List(typeof(uint), 14), Hues = (ValueList<double>)List(typeof(double), 6) };
+            return ((CharacterCreate)Composed(type)) with { Appearance = [.. Several<uint>(14)], Hues = [.. Several<double>(6)] };
         if (type == typeof(CharacterCreateResponse))
-            return Chance() ? new CharacterCreateResponse(1, Of<CharacterEntry>()) : new CharacterCreateResponse((uint)random.Next(2, 7), null);
+            return Chance() ? new CharacterCreateResponse(1, Of<CharacterEntry>()) : new CharacterCreateResponse(3, null);
         if (type == typeof(SetTurbineChatChannels))
-            return new SetTurbineChatChannels((ValueList<uint>)List(typeof(uint), 10));
+            return new SetTurbineChatChannels([.. Several<uint>(10)]);
         return type == typeof(IterationSet) ? Iterations() : null;
     }
 
@@ -88,13 +88,13 @@ internal sealed class RandomValues(int seed)
 
     private ModelData Model()
     {
-        var palettes = Enumerable.Range(0, random.Next(3)).Select(_ => new PaletteChange(Packed(0x04000000), Of<byte>(), Of<byte>())).ToArray();
+        PaletteChange[] palettes = Several(random.Next(3), () => new PaletteChange(Packed(0x04000000), Of<byte>(), Of<byte>()));
         return new ModelData
         {
             BasePalette = palettes.Length > 0 ? Packed(0x04000000) : 0,
             Palettes = [.. palettes],
-            Textures = [.. Enumerable.Range(0, random.Next(3)).Select(_ => new TextureChange(Of<byte>(), Packed(0x05000000), Packed(0x05000000)))],
-            Parts = [.. Enumerable.Range(0, random.Next(3)).Select(_ => new PartChange(Of<byte>(), Packed(0x01000000)))],
+            Textures = [.. Several(random.Next(3), () => new TextureChange(Of<byte>(), Packed(0x05000000), Packed(0x05000000)))],
+            Parts = [.. Several(random.Next(3), () => new PartChange(Of<byte>(), Packed(0x01000000)))],
         };
     }
 
@@ -171,6 +171,10 @@ internal sealed class RandomValues(int seed)
         return Activator.CreateInstance(
             typeof(ValueList<>).MakeGenericType(element), BindingFlags.Instance | BindingFlags.NonPublic, null, [elements], null)!;
     }
+
+    private T[] Several<T>(int count) => Several(count, Of<T>);
+
+    private static T[] Several<T>(int count, Func<T> make) => [.. Enumerable.Range(0, count).Select(_ => make())];
 
     private uint Packed(uint baseId) => baseId + (uint)(random.Next(3) switch
     {

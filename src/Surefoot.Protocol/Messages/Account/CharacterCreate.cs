@@ -20,7 +20,8 @@ public sealed record CharacterCreate : IMessage<CharacterCreate>
     /// <summary>1 male, 2 female.</summary>
     public uint Gender { get; init; } = 1;
 
-    /// <summary>Fourteen choices: eyes, nose, mouth, hair colour, eye colour, hair style, headgear style (0xFFFFFFFF none) and colour, shirt style and
+    /// <summary>Fourteen choices: eyes, nose, mouth, hair colour, eye colour, hair style, headgear style (0xFFFFFFFF none) and colour,
+    /// shirt style and
     /// colour, pants style and colour, footwear style and colour.</summary>
     public ValueList<uint> Appearance { get; init; } = [0, 0, 0, 0, 0, 0, uint.MaxValue, 0, 0, 0, 0, 0, 0, 0];
 

@@ -29,7 +29,8 @@ public readonly record struct DddInterrogation(
 
 /// <summary>Iterations of a dat file that a client has.</summary>
 /// <param name="Total">How many.</param>
-/// <param name="Entries">As they travel: a number from 0 on is one iteration, −k and the number after it are k of them from that number on.</param>
+/// <param name="Entries">As they travel: a number from 0 on is one iteration, −k and the number after it are k of them from that number
+/// on.</param>
 public readonly record struct IterationSet(int Total, ValueList<int> Entries)
 {
     /// <summary>The iterations 1 to <paramref name="total"/>.</summary>
@@ -65,7 +66,8 @@ public readonly record struct IterationSet(int Total, ValueList<int> Entries)
 /// <param name="Iterations">Those that the client has.</param>
 public readonly record struct DatFileState(uint FileType, uint FileId, IterationSet Iterations)
 {
-    internal static DatFileState Read(ref WireReader reader) => new(reader.ReadUInt32(), reader.ReadUInt32(), IterationSet.Read(ref reader));
+    internal static DatFileState Read(ref WireReader reader)
+        => new(reader.ReadUInt32(), reader.ReadUInt32(), IterationSet.Read(ref reader));
 
     internal static void Write(ref WireWriter writer, DatFileState state)
     {

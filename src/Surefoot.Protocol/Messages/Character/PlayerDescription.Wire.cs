@@ -47,7 +47,9 @@ public sealed partial record PlayerDescription : IGameEvent<PlayerDescription>
             WeenieType = weenieType,
             OtherFlags = flags & ~WithField,
             Ints = (flags & HasInts) != 0 ? reader.ReadTable(8, static (ref r) => new Property<int>(r.ReadUInt32(), r.ReadInt32())) : null,
-            Int64s = (flags & HasInt64s) != 0 ? reader.ReadTable(12, static (ref r) => new Property<long>(r.ReadUInt32(), r.ReadInt64())) : null,
+            Int64s = (flags & HasInt64s) != 0
+                ? reader.ReadTable(12, static (ref r) => new Property<long>(r.ReadUInt32(), r.ReadInt64()))
+                : null,
             Bools = (flags & HasBools) != 0 ? reader.ReadTable(8, ReadNumber) : null,
             Doubles = (flags & HasDoubles) != 0
                 ? reader.ReadTable(12, static (ref r) => new Property<double>(r.ReadUInt32(), r.ReadDouble()))
@@ -72,7 +74,8 @@ public sealed partial record PlayerDescription : IGameEvent<PlayerDescription>
             Attributes = (vectors & HasAttributes) != 0 ? ReadAttributes(ref reader, mask) : null,
             Vitals = (vectors & HasAttributes) != 0 ? ReadVitals(ref reader, mask) : null,
             Skills = (vectors & HasSkills) != 0
-                ? reader.ReadTable(4 + SkillRecord.Size, static (ref r) => new Property<SkillRecord>(r.ReadUInt32(), SkillRecord.Read(ref r)))
+                ? reader.ReadTable(
+                    4 + SkillRecord.Size, static (ref r) => new Property<SkillRecord>(r.ReadUInt32(), SkillRecord.Read(ref r)))
                 : null,
             Spells = (vectors & HasSpells) != 0
                 ? reader.ReadTable(8, static (ref r) => new Property<float>(r.ReadUInt32(), r.ReadSingle()))
@@ -81,7 +84,8 @@ public sealed partial record PlayerDescription : IGameEvent<PlayerDescription>
         };
 
         CharacterBelongings? belongings = TryReadBelongings(ref reader);
-        return player with { Belongings = belongings, Rest = ValueList.Create(reader.ReadBytes(belongings is null ? reader.Remaining : 0)) };
+        ReadOnlySpan<byte> rest = reader.ReadBytes(belongings is null ? reader.Remaining : 0);
+        return player with { Belongings = belongings, Rest = ValueList.Create(rest) };
     }
 
     void IMessage<PlayerDescription>.Write(ref WireWriter writer)
@@ -193,7 +197,8 @@ public sealed partial record PlayerDescription : IGameEvent<PlayerDescription>
             writer.Fail();
         writer.WriteUInt32(PlainBelongings);
         writer.WriteUInt32(belongings.Options1);
-        writer.WriteElements(belongings.SpellBars, static (ref w, bar) => w.WriteList(bar, static (ref one, spell) => one.WriteUInt32(spell)));
+        foreach (ValueList<uint> bar in belongings.SpellBars)
+            writer.WriteList(bar, static (ref w, spell) => w.WriteUInt32(spell));
         writer.WriteUInt32(belongings.SpellFilters);
         writer.WriteUInt32(belongings.Options2);
         writer.WriteList(belongings.Inventory, static (ref w, item) =>

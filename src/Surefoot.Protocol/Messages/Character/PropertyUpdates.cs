@@ -2,7 +2,8 @@ namespace Surefoot.Protocol.Messages;
 
 /// <summary>A number of the character (specification 08, 7.1).</summary>
 /// <param name="Sequence">Number of this update, of its kind and property.</param>
-/// <param name="Property">Id of the property: 5 burden, 25 level, 93 physics state, 134 player-killer status, 230 carrying augmentation.</param>
+/// <param name="Property">Id of the property: 5 burden, 25 level, 93 physics state, 134 player-killer status, 230 carrying
+/// augmentation.</param>
 /// <param name="Value">The number.</param>
 public readonly record struct PrivateUpdatePropertyInt(
     byte Sequence,
@@ -25,7 +26,8 @@ public readonly record struct PrivateUpdatePropertyInt(
 /// <summary>A number of an object (specification 08, 7.1).</summary>
 /// <param name="Sequence">Number of this update, of its kind and property.</param>
 /// <param name="Guid">The object.</param>
-/// <param name="Property">Id of the property: 5 burden, 25 level, 93 physics state, 134 player-killer status, 230 carrying augmentation.</param>
+/// <param name="Property">Id of the property: 5 burden, 25 level, 93 physics state, 134 player-killer status, 230 carrying
+/// augmentation.</param>
 /// <param name="Value">The number.</param>
 public readonly record struct PublicUpdatePropertyInt(
     byte Sequence,

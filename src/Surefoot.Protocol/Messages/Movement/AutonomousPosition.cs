@@ -5,7 +5,10 @@ namespace Surefoot.Protocol.Messages;
 /// <param name="Stamps">The player's stored timestamps.</param>
 /// <param name="Contact">It stands on ground that it can walk on.</param>
 /// <remarks>Retail: AutonomousPositionPack::Pack @0x00516AF0.</remarks>
-public readonly record struct AutonomousPosition(WirePosition Position, MovementStamps Stamps, bool Contact) : IGameAction<AutonomousPosition>
+public readonly record struct AutonomousPosition(
+    WirePosition Position,
+    MovementStamps Stamps,
+    bool Contact) : IGameAction<AutonomousPosition>
 {
     static GameActionType IGameAction<AutonomousPosition>.Type => GameActionType.AutonomousPosition;
 

@@ -19,7 +19,8 @@ public readonly record struct DoMovementCommand(uint Motion, float Speed, uint H
 {
     static GameActionType IGameAction<DoMovementCommand>.Type => GameActionType.DoMovementCommand;
 
-    static DoMovementCommand IMessage<DoMovementCommand>.Read(ref WireReader reader) => new(reader.ReadUInt32(), reader.ReadSingle(), reader.ReadUInt32());
+    static DoMovementCommand IMessage<DoMovementCommand>.Read(ref WireReader reader)
+        => new(reader.ReadUInt32(), reader.ReadSingle(), reader.ReadUInt32());
 
     void IMessage<DoMovementCommand>.Write(ref WireWriter writer)
     {

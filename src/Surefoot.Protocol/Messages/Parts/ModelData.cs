@@ -44,7 +44,8 @@ public sealed record ModelData
         var model = new ModelData
         {
             BasePalette = palettes > 0 ? reader.ReadPackedId(PaletteIds) : 0,
-            Palettes = reader.ReadList(palettes, 4, static (ref r) => new PaletteChange(r.ReadPackedId(PaletteIds), r.ReadByte(), r.ReadByte())),
+            Palettes = reader.ReadList(
+                palettes, 4, static (ref r) => new PaletteChange(r.ReadPackedId(PaletteIds), r.ReadByte(), r.ReadByte())),
             Textures = reader.ReadList(
                 textures, 5, static (ref r) => new TextureChange(r.ReadByte(), r.ReadPackedId(TextureIds), r.ReadPackedId(TextureIds))),
             Parts = reader.ReadList(parts, 3, static (ref r) => new PartChange(r.ReadByte(), r.ReadPackedId(ModelIds))),

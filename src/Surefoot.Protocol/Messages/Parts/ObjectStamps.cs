@@ -21,9 +21,11 @@ public readonly record struct ObjectStamps(
     ushort ObjDesc,
     ushort Instance)
 {
-    /// <summary>A stamp is newer than another one, around the wrap. Equal is not newer; at a distance of exactly 0x8000 the smaller number is.</summary>
+    /// <summary>A stamp is newer than another one, around the wrap. Equal is not newer; at a distance of exactly 0x8000 the smaller number
+    /// is.</summary>
     /// <remarks>Retail: CPhysicsObj::is_newer @0x00451AD0.</remarks>
-    public static bool IsNewer(ushort stored, ushort incoming) => Math.Abs(incoming - stored) > 0x7FFF ? incoming < stored : stored < incoming;
+    public static bool IsNewer(ushort stored, ushort incoming)
+        => Math.Abs(incoming - stored) > 0x7FFF ? incoming < stored : stored < incoming;
 
     internal static ObjectStamps Read(ref WireReader reader) => new(
         reader.ReadUInt16(), reader.ReadUInt16(), reader.ReadUInt16(), reader.ReadUInt16(), reader.ReadUInt16(),

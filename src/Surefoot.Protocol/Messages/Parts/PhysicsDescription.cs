@@ -85,10 +85,11 @@ public sealed record PhysicsDescription
             | Flag(Movement, HasMovement) | Flag(Placement, HasPlacement) | Flag(Position, HasPosition) | Flag(MotionTable, HasMotionTable)
             | Flag(SoundTable, HasSoundTable) | Flag(ScriptTable, HasScriptTable) | Flag(Setup, HasSetup) | Flag(Parent, HasParent)
             | Flag(Children, HasChildren) | Flag(Scale, HasScale) | Flag(Friction, HasFriction) | Flag(Elasticity, HasElasticity)
-            | Flag(Translucency, HasTranslucency) | Flag(Velocity, HasVelocity) | Flag(Acceleration, HasAcceleration) | Flag(Omega, HasOmega)
-            | Flag(DefaultScript, HasDefaultScript) | Flag(DefaultScriptIntensity, HasDefaultScriptIntensity);
+            | Flag(Translucency, HasTranslucency) | Flag(Velocity, HasVelocity) | Flag(Acceleration, HasAcceleration)
+            | Flag(Omega, HasOmega) | Flag(DefaultScript, HasDefaultScript) | Flag(DefaultScriptIntensity, HasDefaultScriptIntensity);
 
-    /// <summary>Flags that were set and say nothing: those without a field, that of an empty movement, that of a placement beside a movement.</summary>
+    /// <summary>Flags that were set and say nothing: those without a field, that of an empty movement, that of a placement beside a
+    /// movement.</summary>
     internal uint OtherFlags { get; init; }
 
     internal static PhysicsDescription Read(ref WireReader reader)

@@ -18,8 +18,10 @@ public sealed partial record WeenieDescription
     /// <summary>0x10 creature, 0x80 miscellaneous (doors), 0x10000 portal, 0x10000000 life stone.</summary>
     public uint ItemType { get; init; }
 
-    /// <summary>Description flags: 0x4 stuck, 0x8 player, 0x10 attackable, 0x20 player killer, 0x1000 door, 0x40000 portal, 0x200000 free player killer,
-    /// 0x400000 immune to cell restrictions, 0x2000000 player killer lite; the rest in the specification. 0x4000000 is set where it is needed.</summary>
+    /// <summary>Description flags: 0x4 stuck, 0x8 player, 0x10 attackable, 0x20 player killer, 0x1000 door, 0x40000 portal, 0x200000 free
+    /// player killer,
+    /// 0x400000 immune to cell restrictions, 0x2000000 player killer lite; the rest in the specification. 0x4000000 is set where it is
+    /// needed.</summary>
     public uint Description { get; init; }
 
     /// <summary>Name of several.</summary>

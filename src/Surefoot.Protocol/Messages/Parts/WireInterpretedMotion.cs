@@ -14,7 +14,8 @@ internal enum InterpretedMotionFields
     TurnSpeed = 0x40,
 }
 
-/// <summary>What a body does, as it travels: commands are low words (<see cref="CommandTable"/> has the full ids), and a value may be left out.</summary>
+/// <summary>What a body does, as it travels: commands are low words (<see cref="CommandTable"/> has the full ids), and a value may be left
+/// out.</summary>
 /// <remarks>Retail: InterpretedMotionState::UnPack @0x0051F400.</remarks>
 public readonly record struct WireInterpretedMotion
 {
