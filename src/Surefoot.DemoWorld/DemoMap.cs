@@ -137,11 +137,13 @@ public static class DemoMap
     // Outlines from above: of each shape the upward faces, turned and moved to where it stands.
     private static void AppendThings(StringBuilder svg, View view, WorldPlan plan)
     {
-        var shapes = ObstacleShapes.All().Concat(NatureShapes.All()).OfType<GfxObj>().Append(House.Shell()).ToDictionary(shape => shape.Id);
+        DatRecord[] records = [.. ObstacleShapes.All(), .. NatureShapes.All(), .. Windmill.All(), House.Shell()];
+        var shapes = records.OfType<GfxObj>().ToDictionary(shape => shape.Id);
         svg.Append("<g fill=\"#6b5a48\" fill-opacity=\"0.75\" stroke=\"#2a221a\" stroke-width=\"0.5\">\n");
         foreach (var (blockId, thing) in plan.Things)
         {
-            if (!shapes.TryGetValue(thing.ObjectId, out var shape))
+            // Of the windmill the part that stands still.
+            if (!shapes.TryGetValue(thing.ObjectId == DemoIds.WindmillSetup ? Windmill.Tower : thing.ObjectId, out var shape))
                 continue;
             svg.Append("<path d=\"");
             foreach (var polygon in shape.DrawingPolygons)

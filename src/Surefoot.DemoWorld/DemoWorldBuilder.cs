@@ -47,7 +47,7 @@ public static class DemoWorldBuilder
     private static IEnumerable<DatRecord> PortalRecords() =>
     [
         RegionRecords.Region(), .. Surfaces.All(), .. HumanBody.All(), .. HumanMotions.All(), .. Creatures.All(), .. NatureShapes.All(), .. ObstacleShapes.All(),
-        House.Shell(), House.Interior.Environment(), Dungeon.Interior.Environment(),
+        .. Windmill.All(), House.Shell(), House.Interior.Environment(), Dungeon.Interior.Environment(),
     ];
 
     private static void WriteFile(string path, DatFileKind kind, IEnumerable<DatRecord> records)

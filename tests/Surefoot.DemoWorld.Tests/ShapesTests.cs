@@ -110,12 +110,39 @@ public sealed class ShapesTests(DemoFolder world) : IClassFixture<DemoFolder>
             if (!world.Dats.TryRead<LandBlockInfo>(block | 0xFFFE, out var info))
                 continue;
             var things = info.Objects.Select(thing => (thing.ObjectId, thing.Frame)).Concat(info.Buildings.Select(building => (ObjectId: building.ModelId, building.Frame)));
-            foreach (var (shapeId, frame) in things)
+            foreach (var (shapeId, frame) in things.SelectMany(thing => PartsOf(thing.ObjectId).Select(part => (part, thing.Frame))))
             {
                 var shape = world.Dats.Read<GfxObj>(shapeId);
                 Vector3[][] faces = [.. shape.PhysicsPolygons.Select(polygon => Solids.Points(shape.Vertices, polygon))];
                 foreach (var point in BodyPoints(place.Origin))
                     Assert.False(Solids.Contains(faces, Vector3.Transform(point - frame.Origin, Quaternion.Conjugate(frame.Rotation))), $"{place.Name} is inside 0x{shapeId:X8}");
+            }
+        }
+    }
+
+    [Fact, Behaviour("demo-world.windmill.turns", "spec/02, 4.19; spec/06, 3")]
+    public void The_windmills_sails_turn_a_degree_a_frame_in_one_plane_and_keep_off_its_tower()
+    {
+        var setup = world.Dats.Read<Setup>(DemoIds.WindmillSetup);
+        var turning = world.Dats.Read<Animation>(setup.DefaultAnimationId);
+        Assert.Equal((2u, 90), (turning.PartCount, turning.Frames.Length));
+        Assert.Equal(setup.PlacementFrames[0].Frame.Parts, turning.Frames[0].Parts);
+        var sails = world.Dats.Read<GfxObj>(setup.PartIds[1]);
+        Assert.NotNull(sails.PhysicsTree);
+        for (int i = 0; i < turning.Frames.Length; i++)
+        {
+            Assert.Equal(DatFrame.Identity, turning.Frames[i].Parts[0]);
+            var frame = turning.Frames[i].Parts[1];
+            var along = Vector3.Transform(Vector3.UnitX, frame.Rotation);
+            Assert.Equal(Math.Cos(i * Math.PI / 180), along.X, 1e-6);
+            Assert.Equal(0f, along.Y, 1e-6f);
+            foreach (var vertex in sails.Vertices.Vertices)
+            {
+                // The tower's wall is at y = -1.6; the land's cell ends 12 m from the mill.
+                var point = frame.Origin + Vector3.Transform(vertex.Position, frame.Rotation);
+                Assert.InRange(point.Y, -2, -1.5999f);
+                Assert.InRange(point.Z, 0.2, 9);
+                Assert.InRange(point.X, -5, 5);
             }
         }
     }
@@ -149,6 +176,15 @@ public sealed class ShapesTests(DemoFolder world) : IClassFixture<DemoFolder>
         Assert.All(spawns.Where(spawn => spawn.Kind == DemoSpawnKind.Wanderer), spawn => Assert.True(spawn.WanderRadius > 0));
         Assert.Single(spawns, spawn => spawn.Kind == DemoSpawnKind.Door);
         Assert.All(spawns, spawn => Assert.NotEmpty(world.Dats.Read<Setup>(spawn.SetupId).PartIds));
+    }
+
+    // Of a setup the parts that stand where it stands; those that an animation moves are nowhere for long.
+    private IEnumerable<uint> PartsOf(uint id)
+    {
+        if (!world.Dats.Portal.TryGetEntry(id, out _) || DatIds.RecordTypeOf(id, DatFileKind.Portal) != DatRecordType.Setup)
+            return [id];
+        var setup = world.Dats.Read<Setup>(id);
+        return setup.PartIds.Where((_, part) => setup.PlacementFrames[0].Frame.Parts[part] == DatFrame.Identity);
     }
 
     private static IEnumerable<Vector3> BodyPoints(Vector3 feet)

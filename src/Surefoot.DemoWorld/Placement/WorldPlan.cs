@@ -47,6 +47,7 @@ internal sealed class WorldPlan
         ObstaclePark.AddTo(plan);
         DungeonPlaces.AddTo(plan);
         Inhabitants.AddTo(plan);
+        Mill.AddTo(plan);
         foreach (var place in plan.places)
             terrain.ClearSceneryAround(place);
         return plan;

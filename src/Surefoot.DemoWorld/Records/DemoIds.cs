@@ -15,6 +15,9 @@ public static class DemoIds
     /// <summary>Setup of a door that fills a house's doorway: 1.2 m by 2.2 m, with a physics tree.</summary>
     public const uint DoorSetup = 0x02000110;
 
+    /// <summary>Setup of a windmill whose sails its default animation turns: 3.2 m square, 7 m high, with physics trees.</summary>
+    public const uint WindmillSetup = 0x02000120;
+
     /// <summary>Motion table of a human.</summary>
     public const uint HumanMotionTable = 0x09000001;
 

@@ -28,7 +28,7 @@ public sealed class MovementProperties(DemoFiles files) : IClassFixture<DemoFile
                     if (stand != Stand.Free || journey.Body.IsLost) return;
                     stand = test.Judge(journey.Body);
                     Assert.True(stand != Stand.Inside, $"{journey.Body.Position} is inside something of {test.Culprit?.Id:X8}");
-                    if (trip.Who == Traveller.Player) Assert.True(stand is Stand.Free or Stand.SolidWithoutFaces, $"{stand} at {journey.Body.Position}");
+                    if (trip.Who == Traveller.Player) Assert.True(stand is Stand.Free or Stand.SolidWithoutFaces or Stand.SweptOver, $"{stand} at {journey.Body.Position}");
                 });
             }),
             iter: Fuzz.Cases(4000));

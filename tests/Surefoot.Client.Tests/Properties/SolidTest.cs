@@ -31,6 +31,9 @@ internal enum Stand
     /// (specification 04, 4.5 and 4.6). Met in the hollow of a building: a room is reached one centimetre (04, 3, CELL_FUDGE) before its faces are.
     /// </summary>
     SolidWithoutFaces,
+
+    /// <summary>A part of an animated static came to where the body is: only the part moves, nothing pushes a body out of its way (specification 02, 4.19).</summary>
+    SweptOver,
 }
 
 /// <summary>
@@ -53,11 +56,24 @@ internal sealed class SolidTest(PhysicsWorld world)
         ObjCell cell = world.GetVisible(place.CellId)!;
         TransitionState state = Insert(body, place, cell, facesOnly: false);
         if (state == TransitionState.OK) return Stand.Free;
+        if (IsFreeOfWhatStandsStill(body, place, cell)) return Stand.SweptOver;
         // The ground is the only one to move a body that is being placed: it lifts it.
         if (state == TransitionState.Adjusted)
             return !hasContact && !body.State.Has(PhysicsState.EdgeSlide) && IsOverSteepGround() ? Stand.SteepGroundWalkedInto : Stand.Inside;
         if (Insert(body, place, cell, facesOnly: true) == TransitionState.OK) return Stand.SolidWithoutFaces;
         return body.Setup!.Spheres.Length == 1 ? Stand.PassedByOneSphere : Stand.Inside;
+    }
+
+    private bool IsFreeOfWhatStandsStill(PhysicsBody body, in Position place, ObjCell cell)
+    {
+        const PhysicsState untested = PhysicsState.Ethereal | PhysicsState.IgnoreCollisions;
+        List<StaticObject> moving = [.. world.Landblocks.SelectMany(block => block.AnimatedStatics)];
+        ObjCell? culprit = Culprit;
+        foreach (StaticObject item in moving) item.State |= untested;
+        bool free = moving.Count > 0 && Insert(body, place, cell, facesOnly: false) == TransitionState.OK;
+        foreach (StaticObject item in moving) item.State &= ~untested;
+        Culprit = culprit;
+        return free;
     }
 
     private TransitionState Insert(PhysicsBody body, in Position place, ObjCell cell, bool facesOnly)
