@@ -3,7 +3,7 @@
 import "./hud/style.css";
 import { commands } from "./hud/commands";
 import { Hud } from "./hud/hud";
-import { Inspection, type Frames } from "./hud/inspection";
+import { type Frames, Inspection } from "./hud/inspection";
 import { Keyboard } from "./hud/keys";
 import { Pointer } from "./hud/pointer";
 import { Connection } from "./net/connection";

@@ -1,10 +1,10 @@
 // Everything on the page that is not the world: panel, sliders, bar, menu, help, messages.
 
-import { describeFooting, describeTouches } from "./touches";
-import { EventKind, PoseFlag, type OwnPose, type PlayerEvent, type ServerFrame, type Touch, type Welcome } from "../net/wire";
-import { formatCell } from "../net/world";
-import type { Place } from "../net/places";
 import type { ConnectionState } from "../net/connection";
+import type { Place } from "../net/places";
+import { EventKind, type OwnPose, type PlayerEvent, PoseFlag, type ServerFrame, type Touch, type Welcome } from "../net/wire";
+import { formatCell } from "../net/world";
+import { describeFooting, describeTouches } from "./touches";
 
 interface Asks {
   settings(runSkill: number, jumpSkill: number, burden: number): void;
@@ -39,7 +39,10 @@ export class Hud {
   private capacity = 1;
   private listed: readonly Place[] = [];
 
-  constructor(private readonly asks: Asks, toggles: { triangles: () => void; shapes: () => void; mouse: () => void }) {
+  constructor(
+    private readonly asks: Asks,
+    toggles: { triangles: () => void; shapes: () => void; mouse: () => void },
+  ) {
     for (const field of document.querySelectorAll<HTMLElement>("[data-field]")) this.fields.set(field.dataset.field ?? "", field);
     for (const slider of [this.run, this.jump, this.burden]) {
       slider.addEventListener("input", () => this.slid());
@@ -105,7 +108,10 @@ export class Hud {
   listPlaces(world: string, places: readonly Place[]): void {
     element("world-name").textContent = world;
     this.listed = places;
-    this.places.replaceChildren(new Option("a place…", "", true, true), ...places.map((place, index) => new Option(place.name, String(index))));
+    this.places.replaceChildren(
+      new Option("a place…", "", true, true),
+      ...places.map((place, index) => new Option(place.name, String(index))),
+    );
     this.places.options[0].disabled = true;
   }
 
@@ -130,7 +136,11 @@ export class Hud {
     this.set("position", `${p.x.toFixed(2)} ${p.y.toFixed(2)} ${p.z.toFixed(2)}`);
     this.set("heading", `${compass(pose.yaw).toFixed(1)}°`);
     this.set("walkable", walkable ? "yes" : "no", walkable);
-    this.set("plane", contact ? `${signed(n.x, 3)} ${signed(n.y, 3)} ${signed(n.z, 3)}\n${signed(pose.planeDistance, 3)}` : "none", contact);
+    this.set(
+      "plane",
+      contact ? `${signed(n.x, 3)} ${signed(n.y, 3)} ${signed(n.z, 3)}\n${signed(pose.planeDistance, 3)}` : "none",
+      contact,
+    );
     this.set("slope", contact ? `${((Math.acos(Math.min(1, Math.max(-1, n.z))) * 180) / Math.PI).toFixed(1)}°` : "–");
     this.set("quantum", `${(pose.quantum * 1000).toFixed(1)} ms`);
     this.set("step", String(pose.step));

@@ -1,13 +1,22 @@
 import { describe, expect, it } from "vitest";
-import { describeFooting, describeTouches } from "./touches";
 import type { Touch } from "../net/wire";
+import { describeFooting, describeTouches } from "./touches";
 
-const touch = (more: Partial<Touch>): Touch => ({ footing: false, type: 3, id: 0xa8b50100, normal: { x: 0, y: 0, z: 1 }, name: "", ...more });
+const touch = (more: Partial<Touch>): Touch => ({
+  footing: false,
+  type: 3,
+  id: 0xa8b50100,
+  normal: { x: 0, y: 0, z: 1 },
+  name: "",
+  ...more,
+});
 
 describe("the panel's words", () => {
   it("name what is stood on, with its slope", () => {
     expect(describeFooting([touch({ footing: true })])).toBe("room 0xA8B50100\nslope 0.0°");
-    expect(describeFooting([touch({ footing: true, type: 1, normal: { x: 0.5, y: 0, z: Math.sqrt(0.75) } })])).toBe("ground 0xA8B50100\nslope 30.0°");
+    expect(describeFooting([touch({ footing: true, type: 1, normal: { x: 0.5, y: 0, z: Math.sqrt(0.75) } })])).toBe(
+      "ground 0xA8B50100\nslope 30.0°",
+    );
     expect(describeFooting([touch({})])).toBe("nothing");
   });
 

@@ -1,8 +1,17 @@
 // The socket: sends what the person asks, hands out what the server says, and comes back by itself when the server does.
 
 import {
-  decode, encodeAutoRun, encodeFocusLost, encodeGoto, encodeInput, encodeMouseTurning, encodePointer, encodeSettings, encodeUse, wireVersion,
+  decode,
+  encodeAutoRun,
+  encodeFocusLost,
+  encodeGoto,
+  encodeInput,
+  encodeMouseTurning,
+  encodePointer,
+  encodeSettings,
+  encodeUse,
   type ServerFrame,
+  wireVersion,
 } from "./wire";
 
 export type ConnectionState = "connecting" | "open" | "lost" | "full";

@@ -4,8 +4,8 @@ import { decodeShapes } from "./shapes";
 // One triangle of an object, none of rocks, one shell of one triangle, one room of two, one tree.
 function sample(): ArrayBuffer {
   const view = new DataView(new ArrayBuffer(20 + 2 * 8 + 24 + 4 * 36));
-  [1, 0, 1, 1, 1, 0x01000100, 1, 0xa9b40100, 2].forEach((value, i) => view.setUint32(i * 4, value, true));
-  [1, 2, 3, 0.5, 4].forEach((value, i) => view.setFloat32(36 + i * 4, value, true));
+  [1, 0, 1, 1, 1, 0x01000100, 1, 0xa9b40100, 2].forEach((value, i) => void view.setUint32(i * 4, value, true));
+  [1, 2, 3, 0.5, 4].forEach((value, i) => void view.setFloat32(36 + i * 4, value, true));
   for (let i = 0; i < 36; i++) view.setFloat32(60 + i * 4, i, true);
   return view.buffer;
 }

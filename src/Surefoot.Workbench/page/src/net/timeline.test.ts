@@ -3,7 +3,17 @@ import { PoseTimeline, ServerClock, wrapAngle } from "./timeline";
 import type { Pose } from "./wire";
 
 const pose = (time: number, x: number, more: Partial<Pose> = {}): Pose => ({
-  teleports: 0, flags: 3, time, cell: 0xa9b40001, position: { x, y: 10, z: 5 }, yaw: 0, velocity: { x: 10, y: 0, z: 0 }, charge: 0, forward: 1, sidestep: 0, ...more,
+  teleports: 0,
+  flags: 3,
+  time,
+  cell: 0xa9b40001,
+  position: { x, y: 10, z: 5 },
+  yaw: 0,
+  velocity: { x: 10, y: 0, z: 0 },
+  charge: 0,
+  forward: 1,
+  sidestep: 0,
+  ...more,
 });
 const blockWest = 0xa9 * 192;
 
@@ -18,7 +28,8 @@ describe("a timeline", () => {
   it("evens out the unequal steps of whole animation frames", () => {
     const line = new PoseTimeline();
     // Quanta of 1/30 s at 79.5 frames a second of 4/30 m each: two or three frames a step (spec 01b, section 2).
-    for (let step = 0; step <= 30; step++) line.push(pose(step / 30, (Math.floor(step * 2.65) * 4) / 30, { velocity: { x: 0, y: 0, z: 0 } }));
+    for (let step = 0; step <= 30; step++)
+      line.push(pose(step / 30, (Math.floor(step * 2.65) * 4) / 30, { velocity: { x: 0, y: 0, z: 0 } }));
     let slowest = Infinity;
     let fastest = 0;
     for (let time = 0.2; time < 0.8; time += 1 / 60) {

@@ -1,6 +1,6 @@
 // Poses come when physics steps; frames are drawn when the screen is ready. A timeline keeps the last poses and answers for any moment between them.
 
-import { PoseFlag, type Pose, type Vec3 } from "./wire";
+import { type Pose, PoseFlag, type Vec3 } from "./wire";
 import { toGlobal } from "./world";
 
 /** A player at a moment, in global metres. */

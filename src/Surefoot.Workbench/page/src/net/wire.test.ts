@@ -1,8 +1,16 @@
 import { describe, expect, it } from "vitest";
-import samples from "./wire.samples.json";
 import {
-  decode, encodeAutoRun, encodeFocusLost, encodeGoto, encodeInput, encodeMouseTurning, encodePointer, encodeSettings, encodeUse,
+  decode,
+  encodeAutoRun,
+  encodeFocusLost,
+  encodeGoto,
+  encodeInput,
+  encodeMouseTurning,
+  encodePointer,
+  encodeSettings,
+  encodeUse,
 } from "./wire";
+import samples from "./wire.samples.json";
 
 const bytes = (hex: string): ArrayBuffer =>
   Uint8Array.from(hex.replaceAll(" ", "").match(/../g) ?? [], (pair) => parseInt(pair, 16)).buffer;
@@ -11,7 +19,9 @@ const vec = ([x, y, z]: number[]): object => ({ x, y, z });
 describe("frames of the page", () => {
   it("are the sample's bytes", () => {
     expect(encodeInput(samples.input.keys, samples.input.sequence)).toEqual(bytes(samples.input.hex));
-    expect(encodeSettings(samples.settings.runSkill, samples.settings.jumpSkill, samples.settings.burden)).toEqual(bytes(samples.settings.hex));
+    expect(encodeSettings(samples.settings.runSkill, samples.settings.jumpSkill, samples.settings.burden)).toEqual(
+      bytes(samples.settings.hex),
+    );
     expect(encodeGoto(samples.goto.place)).toEqual(bytes(samples.goto.hex));
     expect(encodeUse()).toEqual(bytes(samples.use.hex));
     expect(encodePointer(samples.pointer.buttons, samples.pointer.right)).toEqual(bytes(samples.pointer.hex));
@@ -31,7 +41,12 @@ describe("frames of the server", () => {
     const other = samples.others.player;
     const player = { ...other, time: samples.others.time, position: vec(other.position), velocity: vec(other.velocity) };
     expect(decode(bytes(samples.others.hex))).toEqual({ kind: "others", time: samples.others.time, players: [player] });
-    const bodies = samples.bodies.bodies.map((one) => ({ ...one, position: vec(one.position), velocity: vec(one.velocity), size: vec(one.size) }));
+    const bodies = samples.bodies.bodies.map((one) => ({
+      ...one,
+      position: vec(one.position),
+      velocity: vec(one.velocity),
+      size: vec(one.size),
+    }));
     expect(decode(bytes(samples.bodies.hex))).toEqual({ kind: "bodies", time: samples.bodies.time, bodies });
     const touches = samples.touches.touches.map((one) => ({ ...one, normal: vec(one.normal) }));
     expect(decode(bytes(samples.touches.hex))).toEqual({ kind: "touches", touches });
@@ -40,7 +55,14 @@ describe("frames of the server", () => {
   });
 
   it("are refused when their length is wrong", () => {
-    for (const hex of [samples.welcome.hex, samples.pose.hex, samples.others.hex, samples.event.hex, samples.bodies.hex, samples.touches.hex]) {
+    for (const hex of [
+      samples.welcome.hex,
+      samples.pose.hex,
+      samples.others.hex,
+      samples.event.hex,
+      samples.bodies.hex,
+      samples.touches.hex,
+    ]) {
       const whole = bytes(hex);
       for (let length = 0; length < whole.byteLength; length++) expect(decode(whole.slice(0, length))).toBeNull();
     }

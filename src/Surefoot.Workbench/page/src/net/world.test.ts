@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { formatCell, heightInBlock, toGlobal, type TerrainBlock } from "./world";
+import { formatCell, heightInBlock, type TerrainBlock, toGlobal } from "./world";
 
 // One raised corner: vertex (1, 1) is at 24 m, all others at 0.
 const peak = (cut: number): TerrainBlock => {

@@ -29,7 +29,7 @@ export function toGlobal(cell: number, position: Vec3): Vec3 {
 }
 
 export function formatCell(cell: number): string {
-  return "0x" + (cell >>> 0).toString(16).toUpperCase().padStart(8, "0");
+  return `0x${(cell >>> 0).toString(16).toUpperCase().padStart(8, "0")}`;
 }
 
 const terrainLength = 554;

@@ -36,11 +36,15 @@ export class FollowCamera {
     surface.addEventListener("pointercancel", () => surface.classList.remove("orbiting"));
     surface.addEventListener("contextmenu", (event) => event.preventDefault());
     surface.addEventListener("dblclick", () => this.recenter());
-    surface.addEventListener("wheel", (event) => {
-      event.preventDefault();
-      const lines = event.deltaMode === WheelEvent.DOM_DELTA_PIXEL ? event.deltaY / 100 : event.deltaY / 3;
-      this.wantedDistance = THREE.MathUtils.clamp(this.wantedDistance * Math.exp(lines * 0.14), 1.6, 90);
-    }, { passive: false });
+    surface.addEventListener(
+      "wheel",
+      (event) => {
+        event.preventDefault();
+        const lines = event.deltaMode === WheelEvent.DOM_DELTA_PIXEL ? event.deltaY / 100 : event.deltaY / 3;
+        this.wantedDistance = THREE.MathUtils.clamp(this.wantedDistance * Math.exp(lines * 0.14), 1.6, 90);
+      },
+      { passive: false },
+    );
   }
 
   /** Angle between the view and the player's facing, radians. */
@@ -95,7 +99,11 @@ export class FollowCamera {
     const angle = this.yaw + this.orbit;
     const flat = Math.cos(this.pitch) * this.distance;
     const eye = this.camera.position;
-    eye.set(this.target.x + Math.sin(angle) * flat, this.target.y - Math.cos(angle) * flat, this.target.z + Math.sin(this.pitch) * this.distance);
+    eye.set(
+      this.target.x + Math.sin(angle) * flat,
+      this.target.y - Math.cos(angle) * flat,
+      this.target.z + Math.sin(this.pitch) * this.distance,
+    );
     const ground = indoors ? null : groundAt(eye.x, eye.y);
     if (ground !== null && eye.z < ground + clearance) eye.z = ground + clearance;
     this.camera.lookAt(this.target);

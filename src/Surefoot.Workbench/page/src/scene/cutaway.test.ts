@@ -1,5 +1,5 @@
-import { describe, expect, it } from "vitest";
 import * as THREE from "three";
+import { describe, expect, it } from "vitest";
 import { Cutaway } from "./cutaway";
 
 const house = { min: new THREE.Vector3(0, 0, 0), max: new THREE.Vector3(8, 12, 6.5) };

@@ -121,8 +121,12 @@ export class Cutaway {
       before(shader, renderer);
       Object.assign(shader.uniforms, this.uniforms);
       const define = kind === "room" ? "#define CUT_ROOM\n" : "";
-      shader.vertexShader = define + vertexHead + shader.vertexShader.replace("#include <project_vertex>", `#include <project_vertex>\n${vertexBody}`);
-      shader.fragmentShader = define + fragmentHead + shader.fragmentShader.replace("#include <clipping_planes_fragment>", `#include <clipping_planes_fragment>\n${fragmentBody[kind]}`);
+      shader.vertexShader =
+        define + vertexHead + shader.vertexShader.replace("#include <project_vertex>", `#include <project_vertex>\n${vertexBody}`);
+      shader.fragmentShader =
+        define +
+        fragmentHead +
+        shader.fragmentShader.replace("#include <clipping_planes_fragment>", `#include <clipping_planes_fragment>\n${fragmentBody[kind]}`);
     };
     material.customProgramCacheKey = () => `${key} cut ${kind}`;
     return material;

@@ -38,7 +38,10 @@ export class Grass {
       // Both faces of a blade are lit from above, as the ground under it is.
       shader.fragmentShader = `varying float vRise;\n${shader.fragmentShader}`
         .replace("#include <color_fragment>", "#include <color_fragment>\ndiffuseColor.rgb *= 0.82 + 1.3 * vRise;")
-        .replace("#include <normal_fragment_begin>", "float faceDirection = 1.0;\nvec3 normal = normalize(vNormal);\nvec3 nonPerturbedNormal = normal;");
+        .replace(
+          "#include <normal_fragment_begin>",
+          "float faceDirection = 1.0;\nvec3 normal = normalize(vNormal);\nvec3 nonPerturbedNormal = normal;",
+        );
     };
     this.mesh = new THREE.InstancedMesh(tuft(), material, side * side);
     this.mesh.receiveShadow = true;
@@ -118,10 +121,26 @@ function tuft(): THREE.BufferGeometry {
     const root = 0.05 + 0.05 * (blade % 2);
     const [c, s] = [Math.cos(angle), Math.sin(angle)];
     const half = 0.011;
-    points.push(c * root - s * half, s * root + c * half, 0, c * root + s * half, s * root - c * half, 0, c * (root + lean), s * (root + lean), tall);
+    points.push(
+      c * root - s * half,
+      s * root + c * half,
+      0,
+      c * root + s * half,
+      s * root - c * half,
+      0,
+      c * (root + lean),
+      s * (root + lean),
+      tall,
+    );
   }
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute("position", new THREE.Float32BufferAttribute(points, 3));
-  geometry.setAttribute("normal", new THREE.Float32BufferAttribute(points.map((_, i) => (i % 3 === 2 ? 1 : 0)), 3));
+  geometry.setAttribute(
+    "normal",
+    new THREE.Float32BufferAttribute(
+      points.map((_, i) => (i % 3 === 2 ? 1 : 0)),
+      3,
+    ),
+  );
   return geometry;
 }

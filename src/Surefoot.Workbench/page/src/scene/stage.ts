@@ -2,8 +2,8 @@
 
 import * as THREE from "three";
 import { FollowCamera } from "./camera";
-import { makeNoiseTexture } from "./noise";
 import { Grass } from "./grass";
+import { makeNoiseTexture } from "./noise";
 import { Lights, Sky } from "./sky";
 
 const slowFrame = 1 / 40;
@@ -72,7 +72,8 @@ export class Stage {
     this.renderer.shadowMap.autoUpdate = shadows;
     target.dispose();
     let seen = 0;
-    for (let i = 0; i < present.length; i += 4) if (present[i] !== without[i] || present[i + 1] !== without[i + 1] || present[i + 2] !== without[i + 2]) seen++;
+    for (let i = 0; i < present.length; i += 4)
+      if (present[i] !== without[i] || present[i + 1] !== without[i + 1] || present[i + 2] !== without[i + 2]) seen++;
     return seen;
   }
 

@@ -1,10 +1,10 @@
 // The landblocks around the player: fetched once each, drawn from exactly the triangles that physics stands on, dropped when far.
 
 import * as THREE from "three";
-import type { Cutaway } from "./cutaway";
 import { blockSide, cellSide, decodeTerrain, heightInBlock, type TerrainBlock } from "../net/world";
-import { isGrassy, isRoad, isWater, terrainColors, terrainType } from "./terrainTypes";
+import type { Cutaway } from "./cutaway";
 import { makeTerrainMaterial, type TerrainUniforms } from "./terrainMaterial";
+import { isGrassy, isRoad, isWater, terrainColors, terrainType } from "./terrainTypes";
 
 const drawRadius = 5;
 const keepRadius = 8;
@@ -55,7 +55,8 @@ export class Terrain {
   update(block: number): boolean {
     if (block !== this.center) this.moveTo(block);
     if (this.missing.length === 0) return false;
-    if (!this.fetching && performance.now() >= this.retryAt && !around(block, drawRadius + 1).every((id) => this.blocks.has(id))) void this.fetch(block);
+    if (!this.fetching && performance.now() >= this.retryAt && !around(block, drawRadius + 1).every((id) => this.blocks.has(id)))
+      void this.fetch(block);
     this.missing = this.missing.filter((id) => this.blocks.get(id) !== "none");
     const end = performance.now() + buildMilliseconds;
     const before = this.missing.length;
@@ -183,8 +184,14 @@ export class Terrain {
         // Each triangle starts at the corner that faces the diagonal, so that the third edge coordinate vanishes on it.
         const triangles =
           cut === 1
-            ? [[vertex.se, vertex.ne, vertex.sw], [vertex.nw, vertex.sw, vertex.ne]]
-            : [[vertex.sw, vertex.se, vertex.nw], [vertex.ne, vertex.nw, vertex.se]];
+            ? [
+                [vertex.se, vertex.ne, vertex.sw],
+                [vertex.nw, vertex.sw, vertex.ne],
+              ]
+            : [
+                [vertex.sw, vertex.se, vertex.nw],
+                [vertex.ne, vertex.nw, vertex.se],
+              ];
         for (const triangle of triangles) {
           const points = triangle.map((v) => new THREE.Vector3(Math.floor(v / 9) * cellSide, (v % 9) * cellSide, terrain.heights[v]));
           const flat = new THREE.Triangle(points[0], points[1], points[2]).getNormal(new THREE.Vector3());
@@ -212,7 +219,7 @@ export class Terrain {
     geometry.setAttribute("edge", new THREE.BufferAttribute(edge, 3));
     geometry.setAttribute("code", new THREE.BufferAttribute(code, 2));
     geometry.setAttribute("water", new THREE.BufferAttribute(water, 4));
-    ["c00", "c01", "c10", "c11"].forEach((name, c) => geometry.setAttribute(name, new THREE.BufferAttribute(colors[c], 3)));
+    ["c00", "c01", "c10", "c11"].forEach((name, c) => void geometry.setAttribute(name, new THREE.BufferAttribute(colors[c], 3)));
     return geometry;
   }
 }

@@ -1,10 +1,10 @@
 // A creature on four legs that fills its collision shape. Its legs go as fast as it does.
 
 import * as THREE from "three";
-import { disposeMeshes, matte } from "./meshes";
-import { disposeNameTag, makeNameTag } from "./nameTag";
 import type { Drawn } from "../net/timeline";
 import type { Vec3 } from "../net/wire";
+import { disposeMeshes, matte } from "./meshes";
+import { disposeNameTag, makeNameTag } from "./nameTag";
 
 /** Higher than this it is scaly and horned, metres. */
 const largeFrom = 1.5;
@@ -44,7 +44,10 @@ export class Beast {
     this.head.add(lump(width * 0.26, width * 0.36, height * 0.17, belly, 0, width * 0.36, -height * 0.03));
     for (const side of [-1, 1]) {
       this.head.add(lump(width * 0.06, width * 0.05, width * 0.06, dark, side * width * 0.14, width * 0.32, height * 0.05));
-      const ear = new THREE.Mesh(new THREE.ConeGeometry(width * (large ? 0.07 : 0.08), height * (large ? 0.3 : 0.2), 7).rotateX(Math.PI / 2), large ? bone : dark);
+      const ear = new THREE.Mesh(
+        new THREE.ConeGeometry(width * (large ? 0.07 : 0.08), height * (large ? 0.3 : 0.2), 7).rotateX(Math.PI / 2),
+        large ? bone : dark,
+      );
       ear.position.set(side * width * 0.16, width * 0.05, height * 0.2);
       ear.rotation.y = side * 0.5;
       this.head.add(ear);
@@ -62,7 +65,12 @@ export class Beast {
     tail.position.y = -length * 0.24;
     this.tail.add(tail);
     this.body.add(this.tail);
-    for (const [x, y] of [[-1, 1], [1, 1], [-1, -1], [1, -1]]) {
+    for (const [x, y] of [
+      [-1, 1],
+      [1, 1],
+      [-1, -1],
+      [1, -1],
+    ]) {
       const leg = new THREE.Group();
       leg.position.set(x * width * 0.22, y * length * 0.3, this.legLength * 1.1);
       const shank = new THREE.Mesh(new THREE.CapsuleGeometry(width * 0.09, this.legLength * 0.82, 4, 10).rotateX(Math.PI / 2), hide);

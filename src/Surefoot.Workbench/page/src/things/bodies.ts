@@ -1,13 +1,13 @@
 // Bodies that are no players: guards, creatures, a crowd, doors. They come and go as the server lists them.
 
 import * as THREE from "three";
+import { type Drawn, PoseTimeline } from "../net/timeline";
+import { type Bodies as BodiesFrame, BodyFlag, type BodyPose, BodyType, PoseFlag, type Vec3 } from "../net/wire";
+import { toGlobal } from "../net/world";
 import { Beast } from "./beast";
 import { Crowd } from "./crowd";
 import { Door } from "./door";
 import { Figure } from "./figure";
-import { PoseTimeline, type Drawn } from "../net/timeline";
-import { BodyFlag, BodyType, PoseFlag, type Bodies as BodiesFrame, type BodyPose, type Vec3 } from "../net/wire";
-import { toGlobal } from "../net/world";
 
 /** How far a player reaches for a door, metres; the server decides. */
 const reach = 4;

@@ -1,9 +1,9 @@
 // A door: a panel of the size of its collision shape, hung at its left edge. Open, it stands aside, where it stops nobody.
 
 import * as THREE from "three";
-import { disposeMeshes, matte } from "./meshes";
 import type { Drawn } from "../net/timeline";
 import type { Vec3 } from "../net/wire";
+import { disposeMeshes, matte } from "./meshes";
 
 const openAngle = 1.75;
 

@@ -1,9 +1,9 @@
 // A jointed humanoid, 1.83 m tall, feet at its origin, facing north (+y). It is moved by what the player does; it decides nothing.
 
 import * as THREE from "three";
+import type { Drawn } from "../net/timeline";
 import { disposeMeshes, matte } from "./meshes";
 import { disposeNameTag, makeNameTag } from "./nameTag";
-import type { Drawn } from "../net/timeline";
 
 const hipHeight = 0.93;
 const thigh = 0.45;
@@ -71,7 +71,15 @@ export class Figure {
 
     this.head.position.z = 0.5;
     this.head.add(part(new THREE.SphereGeometry(0.115, 20, 16).scale(0.92, 1, 1.14), skin, 0, 0.005, 0.14));
-    this.head.add(part(new THREE.SphereGeometry(0.124, 20, 16, 0, Math.PI * 2, 0, 1.75).rotateX(Math.PI / 2 + 0.5).scale(0.95, 1, 1.12), hair, 0, -0.012, 0.15));
+    this.head.add(
+      part(
+        new THREE.SphereGeometry(0.124, 20, 16, 0, Math.PI * 2, 0, 1.75).rotateX(Math.PI / 2 + 0.5).scale(0.95, 1, 1.12),
+        hair,
+        0,
+        -0.012,
+        0.15,
+      ),
+    );
     this.head.add(part(new THREE.ConeGeometry(0.022, 0.05, 8), skin, 0, 0.125, 0.13));
     for (const side of [-1, 1]) this.head.add(part(new THREE.SphereGeometry(0.014, 8, 6), hair, 0.042 * side, 0.108, 0.165));
     this.chest.add(this.head);
@@ -182,7 +190,15 @@ export class Figure {
   }
 
   private limb(
-    to: THREE.Group, x: number, z: number, upper: number, upperRadius: number, lowerRadius: number, lower: number, top: THREE.Material, bottom: THREE.Material,
+    to: THREE.Group,
+    x: number,
+    z: number,
+    upper: number,
+    upperRadius: number,
+    lowerRadius: number,
+    lower: number,
+    top: THREE.Material,
+    bottom: THREE.Material,
   ): Limb {
     const root = new THREE.Group();
     const joint = new THREE.Group();

@@ -1,10 +1,10 @@
 // Objects, buildings, rooms and scenery around the player: the shapes that bodies collide with, plants drawn as plants unless the plain shapes are asked for.
 
 import * as THREE from "three";
-import type { Box, Cutaway } from "../scene/cutaway";
-import { Plants, type PlantGroups } from "./plants";
 import { decodeShapes, type NamedShape, type Shapes } from "../net/shapes";
 import { blockSide } from "../net/world";
+import type { Box, Cutaway } from "../scene/cutaway";
+import { type PlantGroups, Plants } from "./plants";
 
 const drawRadius = 3;
 const keepRadius = 5;
@@ -45,7 +45,14 @@ export class Objects {
       shells: cutaway.cut(new THREE.MeshLambertMaterial({ color: 0xcdb58e, flatShading: true, shadowSide: THREE.FrontSide }), "shell"),
       // Floors lie in the ground's own plane.
       rooms: cutaway.cut(
-        new THREE.MeshLambertMaterial({ vertexColors: true, emissive: 0x2e2a22, flatShading: true, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -2 }),
+        new THREE.MeshLambertMaterial({
+          vertexColors: true,
+          emissive: 0x2e2a22,
+          flatShading: true,
+          polygonOffset: true,
+          polygonOffsetFactor: -1,
+          polygonOffsetUnits: -2,
+        }),
         "room",
       ),
     };
@@ -69,7 +76,8 @@ export class Objects {
   /** Plants that are drawn as plants. */
   get plantCount(): number {
     let sum = 0;
-    if (!this.plain) for (const block of this.loaded()) for (const one of block.plants.near.children) sum += (one as THREE.InstancedMesh).count;
+    if (!this.plain)
+      for (const block of this.loaded()) for (const one of block.plants.near.children) sum += (one as THREE.InstancedMesh).count;
     return sum;
   }
 
@@ -96,7 +104,8 @@ export class Objects {
       this.drop(block);
       this.chooseAll();
     }
-    for (let ring = 0; ring <= drawRadius && this.asked < fetchesAtOnce && performance.now() >= this.retryAt; ring++) this.askRing(block, ring);
+    for (let ring = 0; ring <= drawRadius && this.asked < fetchesAtOnce && performance.now() >= this.retryAt; ring++)
+      this.askRing(block, ring);
   }
 
   /** Boxes around the buildings of a landblock and its neighbours, relative to the origin. */

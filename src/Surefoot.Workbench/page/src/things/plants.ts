@@ -2,8 +2,8 @@
 
 import * as THREE from "three";
 import { mergeGeometries } from "three/addons/utils/BufferGeometryUtils.js";
-import type { Cutaway } from "../scene/cutaway";
 import type { Plant } from "../net/shapes";
+import type { Cutaway } from "../scene/cutaway";
 
 /** Kinds of plants: the cylinder (or sphere) that each is made for, metres, and its look. */
 interface Kind {
@@ -35,7 +35,10 @@ export class Plants {
    * @param cutaway cuts plants away before the player
    * @param plain what their plain collision shapes are made of
    */
-  constructor(cutaway: Cutaway, private readonly plain: THREE.Material) {
+  constructor(
+    cutaway: Cutaway,
+    private readonly plain: THREE.Material,
+  ) {
     this.material = cutaway.cut(new THREE.MeshLambertMaterial({ vertexColors: true, flatShading: true }), "thing");
     this.kinds = {
       tree: { radius: 0.35, height: 4, near: tree(), far: farTree() },
@@ -49,7 +52,13 @@ export class Plants {
       const some = list.filter((plant) => kindOf(plant) === name);
       if (some.length === 0) continue;
       const kind = this.kinds[name];
-      const near = this.instances(kind.near, this.material, some, (plant) => new THREE.Vector3(plant.radius / kind.radius, plant.radius / kind.radius, plant.height / kind.height), true);
+      const near = this.instances(
+        kind.near,
+        this.material,
+        some,
+        (plant) => new THREE.Vector3(plant.radius / kind.radius, plant.radius / kind.radius, plant.height / kind.height),
+        true,
+      );
       const far = new THREE.InstancedMesh(kind.far, this.material, some.length);
       far.instanceMatrix = near.instanceMatrix;
       far.instanceColor = near.instanceColor;
@@ -57,11 +66,25 @@ export class Plants {
       groups.far.add(far);
       const shape = name === "shrub" ? this.shapes.sphere : this.shapes.cylinder;
       const width = name === "shrub" ? 2 : 1;
-      groups.plain.add(this.instances(shape, this.plain, some, (plant) => new THREE.Vector3(plant.radius * width, plant.radius * width, plant.height), false));
+      groups.plain.add(
+        this.instances(
+          shape,
+          this.plain,
+          some,
+          (plant) => new THREE.Vector3(plant.radius * width, plant.radius * width, plant.height),
+          false,
+        ),
+      );
     }
   }
 
-  private instances(geometry: THREE.BufferGeometry, material: THREE.Material, plants: readonly Plant[], size: (plant: Plant) => THREE.Vector3, varied: boolean): THREE.InstancedMesh {
+  private instances(
+    geometry: THREE.BufferGeometry,
+    material: THREE.Material,
+    plants: readonly Plant[],
+    size: (plant: Plant) => THREE.Vector3,
+    varied: boolean,
+  ): THREE.InstancedMesh {
     const mesh = new THREE.InstancedMesh(geometry, material, plants.length);
     const place = new THREE.Matrix4();
     const turn = new THREE.Quaternion();
@@ -114,7 +137,11 @@ function pine(): THREE.BufferGeometry {
 }
 
 function shrub(): THREE.BufferGeometry {
-  return mergeGeometries([blob(0, 0, 0.45, 0.5, 0.45, 0x55803a), blob(0.25, 0.12, 0.32, 0.3, 0.3, 0x4b7434), blob(-0.2, -0.2, 0.34, 0.32, 0.3, 0x608c42)]);
+  return mergeGeometries([
+    blob(0, 0, 0.45, 0.5, 0.45, 0x55803a),
+    blob(0.25, 0.12, 0.32, 0.3, 0.3, 0x4b7434),
+    blob(-0.2, -0.2, 0.34, 0.32, 0.3, 0x608c42),
+  ]);
 }
 
 function farTree(): THREE.BufferGeometry {
@@ -137,13 +164,23 @@ function trunk(low: number, high: number, height: number, sides = 9): THREE.Buff
 function roots(radius: number): THREE.BufferGeometry[] {
   return [0, 1, 2, 3].map((i) => {
     const angle = (i * Math.PI) / 2 + 0.4;
-    const root = new THREE.ConeGeometry(0.14, 0.9, 5).rotateX(Math.PI / 2).rotateY(0.35).translate(radius * 0.75, 0, 0.25).rotateZ(angle);
+    const root = new THREE.ConeGeometry(0.14, 0.9, 5)
+      .rotateX(Math.PI / 2)
+      .rotateY(0.35)
+      .translate(radius * 0.75, 0, 0.25)
+      .rotateZ(angle);
     return painted(root, 0x5d4631);
   });
 }
 
 function cone(radius: number, height: number, low: number, color: number, sides = 9): THREE.BufferGeometry {
-  return painted(new THREE.ConeGeometry(radius, height, sides).rotateX(Math.PI / 2).rotateZ(low).translate(0, 0, low + height / 2), color);
+  return painted(
+    new THREE.ConeGeometry(radius, height, sides)
+      .rotateX(Math.PI / 2)
+      .rotateZ(low)
+      .translate(0, 0, low + height / 2),
+    color,
+  );
 }
 
 /** A lump of leaves: a ball whose corners are pushed about. */
@@ -151,7 +188,9 @@ function blob(x: number, y: number, z: number, width: number, height: number, co
   const ball = new THREE.IcosahedronGeometry(1, detail);
   const corners = ball.getAttribute("position");
   for (let i = 0; i < corners.count; i++) {
-    const push = 0.86 + 0.28 * scatter(Math.round(corners.getX(i) * 50) + x * 7, Math.round(corners.getY(i) * 50) + Math.round(corners.getZ(i) * 50) * 3);
+    const push =
+      0.86 +
+      0.28 * scatter(Math.round(corners.getX(i) * 50) + x * 7, Math.round(corners.getY(i) * 50) + Math.round(corners.getZ(i) * 50) * 3);
     corners.setXYZ(i, corners.getX(i) * push, corners.getY(i) * push, corners.getZ(i) * push);
   }
   return painted(ball.scale(width, width, height).translate(x, y, z), color);
@@ -169,7 +208,10 @@ function painted(geometry: THREE.BufferGeometry, color: number): THREE.BufferGeo
   const base = new THREE.Color(color);
   for (let i = 0; i < position.count; i++) {
     const light = 0.72 + 0.4 * ((position.getZ(i) - min.z) / Math.max(0.01, max.z - min.z));
-    base.clone().multiplyScalar(light).toArray(colors, i * 3);
+    base
+      .clone()
+      .multiplyScalar(light)
+      .toArray(colors, i * 3);
   }
   shape.setAttribute("color", new THREE.BufferAttribute(colors, 3));
   return shape;

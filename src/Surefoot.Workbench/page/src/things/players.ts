@@ -1,7 +1,7 @@
 // The players: one's own and the other pages'.
 
 import * as THREE from "three";
-import { PoseTimeline, type Drawn } from "../net/timeline";
+import { type Drawn, PoseTimeline } from "../net/timeline";
 import type { Others, OwnPose } from "../net/wire";
 import { Figure } from "./figure";
 

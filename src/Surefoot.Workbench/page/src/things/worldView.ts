@@ -125,7 +125,14 @@ export class WorldView {
     const indoors = isIndoors(cell);
     const ground = this.terrain.heightAt(feet.x + this.origin.x, feet.y + this.origin.y);
     const below = indoors && ground !== null && ground > feet.z + 0.5;
-    this.cutaway.update(this.stage.view.camera.position, feet, indoors, this.objects.topOf(cell), below, this.objects.shellsAround(blockOf(cell)));
+    this.cutaway.update(
+      this.stage.view.camera.position,
+      feet,
+      indoors,
+      this.objects.topOf(cell),
+      below,
+      this.objects.shellsAround(blockOf(cell)),
+    );
   }
 
   /** Numbers on the graphics card are single: they are kept small by measuring from a landblock near the player. */
