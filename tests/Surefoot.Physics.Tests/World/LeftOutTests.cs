@@ -253,16 +253,16 @@ public sealed class LeftOutTests
 
     private static EnvCell RoomAt(
         uint id, ushort structure = 0, uint environment = Shapes, DatFrame? frame = null, CellPortal[]? portals = null, params Dats.Records.StaticObject[] things) => new()
-    {
-        Id = id,
-        CellId = id,
-        EnvironmentId = environment,
-        Structure = structure,
-        Position = frame ?? DatFrame.Identity,
-        Portals = [.. portals ?? []],
-        Flags = things.Length > 0 ? EnvCellFlags.HasStaticObjects : 0,
-        StaticObjects = [.. things],
-    };
+        {
+            Id = id,
+            CellId = id,
+            EnvironmentId = environment,
+            Structure = structure,
+            Position = frame ?? DatFrame.Identity,
+            Portals = [.. portals ?? []],
+            Flags = things.Length > 0 ? EnvCellFlags.HasStaticObjects : 0,
+            StaticObjects = [.. things],
+        };
 
     private static LeftOutItem OnlyOne(Records records, bool loads)
     {

@@ -172,7 +172,8 @@ internal sealed class ClientLink
         assembler = new FragmentAssembler();
         channel = new PacketChannel(
             request.ClientSeed, new ReceiveWindow(request.ServerSeed, FarthestAhead, MostMissing),
-            (ushort)request.NetId, datagram.Header.Iteration, MostKeptPackets, sink, Statistics) { Time = 1 };
+            (ushort)request.NetId, datagram.Header.Iteration, MostKeptPackets, sink, Statistics)
+        { Time = 1 };
         Clock = (request.ServerTime, now);
         lastReceived = now;
         State = LinkState.Responding;
