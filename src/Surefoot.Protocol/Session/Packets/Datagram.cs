@@ -3,7 +3,7 @@ using System.Buffers.Binary;
 namespace Surefoot.Protocol.Session;
 
 /// <summary>The parts of one datagram (specification 08, section 2). It lives as long as the memory it looks at.</summary>
-public readonly ref struct Datagram
+internal readonly ref struct Datagram
 {
     private Datagram(PacketHeader header) => Header = header;
 
