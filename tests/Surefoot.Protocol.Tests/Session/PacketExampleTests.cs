@@ -22,6 +22,7 @@ public class PacketExampleTests
         Assert.Equal(Hex.Of(WorkedExamples.LoginRequest), Hex.Of(bytes));
         Assert.Equal(ServerPort.First, port);
         Assert.Equal(Login, ServerLink.TryReadLogin(WorkedExamples.LoginRequest));
+        Assert.DoesNotContain("testpass", Login.ToString(), StringComparison.Ordinal);
     }
 
     [Fact, Behaviour("protocol.examples.connect-request", "08, 11.2")]

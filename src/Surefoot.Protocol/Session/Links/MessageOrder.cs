@@ -6,6 +6,9 @@ namespace Surefoot.Protocol.Session;
 /// 2.5).</summary>
 internal sealed class MessageOrder
 {
+    /// <summary>Most waiting messages: more than the shortest ones in all packets that may be outstanding.</summary>
+    public const int MostWaiting = 8192;
+
     /// <summary>Most bytes of all waiting messages.</summary>
     public const int MostBytes = 1 << 20;
 
@@ -26,7 +29,7 @@ internal sealed class MessageOrder
         {
             if (!ReceiveWindow.IsNewer(next, number) || waiting.ContainsKey(number))
                 return DropReason.Duplicate;
-            if (WaitingBytes + message.Length > MostBytes)
+            if (waiting.Count >= MostWaiting || WaitingBytes + message.Length > MostBytes)
                 return DropReason.NoRoom;
             waiting.Add(number, message.ToArray());
             WaitingBytes += message.Length;
