@@ -50,6 +50,8 @@ public sealed class FrameTests
         Assert.Equal(Bytes("others"), ServerFrames.Others(12.5, 1, [(1, default), (2, SamplePose)]));
         Assert.Equal(Bytes("event"), ServerFrames.Event(new PlayerEvent(PlayerEventKind.JumpRefused, 12.5, 2, 73)));
         Assert.Equal(Bytes("bodies"), ServerFrames.Bodies(12.5, SampleBodies));
+        Assert.Equal(
+            Bytes("moving"), ServerFrames.Moving(12.5, [new MovingPart(0xA8B5, 3, 2, new Vector3(100, -1.5f, 20), new Quaternion(0, 0.5f, -0.5f, 0.75f), 1.5f)]));
         Assert.Equal(Bytes("touches"), ServerFrames.Touches(
             [new Touch(true, TouchKind.Room, 0xA8B50100, Vector3.UnitZ, ""), new Touch(false, TouchKind.Body, 0x80000001, new Vector3(0.5f, -0.25f, 0), "creature")]));
     }

@@ -35,6 +35,22 @@ public sealed class InhabitedPageTests(Browser browser) : IAsyncLifetime
     }
 
     [Fact]
+    [Behaviour("workbench.browser.windmill-turns", "design.md, Who uses it; spec/02, 4.19")]
+    public async Task The_windmills_sails_turn_on_the_page_and_its_tower_stands()
+    {
+        await using Tab tab = await browser.OpenAsync(server);
+        await GoTo(tab, "The windmill");
+        await tab.Until("window.surefoot.moving.length === 2", "tower and sails are drawn");
+        const string sails = "window.surefoot.moving.find((one) => one.part === 1).rotation", tower = "window.surefoot.moving.find((one) => one.part === 0).rotation";
+        double before = await tab.Number($"{sails}[1]");
+        await tab.Until($"Math.abs({sails}[1] - {before.ToString(CultureInfo.InvariantCulture)}) > 0.1", "the sails have turned about the mill's own y");
+        Assert.Equal(0, await tab.Number($"{sails}[0]"));
+        Assert.Equal(0, await tab.Number($"{sails}[2]"));
+        Assert.Equal(1, await tab.Number($"{tower}[3]"));
+        Assert.Empty(tab.Complaints);
+    }
+
+    [Fact]
     [Behaviour("workbench.browser.door-opens-and-closes", "design.md, Who uses it")]
     public async Task F_opens_the_door_at_hand_and_it_closes_by_itself()
     {

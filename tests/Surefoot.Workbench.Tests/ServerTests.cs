@@ -57,15 +57,16 @@ public sealed class ServerTests : IAsyncLifetime
 
     [Fact]
     [Behaviour("workbench.server.shapes-that-bodies-meet", "design.md, Who uses it")]
-    public async Task Shapes_are_counted_triangles_of_objects_rocks_shells_and_rooms_and_plants()
+    public async Task Shapes_are_counted_triangles_of_objects_rocks_shells_and_rooms_plants_and_what_moves()
     {
         byte[] bytes = await http.GetByteArrayAsync(new Uri(server.Address, "/shapes/a9b4"));
-        Assert.Equal(20 + 8 + 24 + (2 * 36), bytes.Length);
-        Assert.Equal([1, 0, 0, 1, 1], Enumerable.Range(0, 5).Select(i => BinaryPrimitives.ReadInt32LittleEndian(bytes.AsSpan(4 * i))));
-        Assert.Equal(0xA9B40100, BinaryPrimitives.ReadUInt32LittleEndian(bytes.AsSpan(20)));
-        Assert.Equal(1, BinaryPrimitives.ReadInt32LittleEndian(bytes.AsSpan(24)));
-        Assert.Equal([1f, 2f, 3f, 0.5f, 4f], Enumerable.Range(0, 5).Select(i => BinaryPrimitives.ReadSingleLittleEndian(bytes.AsSpan(28 + (4 * i)))));
-        Assert.Equal(2f, BinaryPrimitives.ReadSingleLittleEndian(bytes.AsSpan(bytes.Length - 4)));
+        Assert.Equal(24 + 8 + 24 + 8 + (3 * 36), bytes.Length);
+        Assert.Equal([1, 0, 0, 1, 1, 1], Enumerable.Range(0, 6).Select(i => BinaryPrimitives.ReadInt32LittleEndian(bytes.AsSpan(4 * i))));
+        Assert.Equal(0xA9B40100, BinaryPrimitives.ReadUInt32LittleEndian(bytes.AsSpan(24)));
+        Assert.Equal(1, BinaryPrimitives.ReadInt32LittleEndian(bytes.AsSpan(28)));
+        Assert.Equal([1f, 2f, 3f, 0.5f, 4f], Enumerable.Range(0, 5).Select(i => BinaryPrimitives.ReadSingleLittleEndian(bytes.AsSpan(32 + (4 * i)))));
+        Assert.Equal([0x00020003, 1], Enumerable.Range(0, 2).Select(i => BinaryPrimitives.ReadInt32LittleEndian(bytes.AsSpan(56 + (4 * i)))));
+        Assert.Equal(9f, BinaryPrimitives.ReadSingleLittleEndian(bytes.AsSpan(bytes.Length - 4)));
         Assert.Equal(HttpStatusCode.NoContent, (await http.GetAsync(new Uri(server.Address, "/shapes/a9b5"))).StatusCode);
         Assert.Equal(HttpStatusCode.NotFound, (await http.GetAsync(new Uri(server.Address, "/shapes/a9b"))).StatusCode);
     }

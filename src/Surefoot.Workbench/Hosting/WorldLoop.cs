@@ -17,6 +17,7 @@ internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters co
     private readonly List<Seat> seats = [];
     private readonly List<(uint Id, PlayerPose Pose)> poses = [];
     private readonly List<BodyPose> bodies = [];
+    private readonly List<MovingPart> moving = [];
     private readonly long epoch = clock.GetTimestamp();
     private int reserved;
     private uint lastId;
@@ -168,6 +169,8 @@ internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters co
             seat.HadCompany = seats.Count > 1;
             world.Look(seat.Player, bodies);
             if (IsNews(seat.Bodies, bodies)) seat.Page.Send(ServerFrames.Bodies(now, bodies));
+            world.LookAtParts(seat.Player, moving);
+            if (IsNews(seat.Moving, moving)) seat.Page.Send(ServerFrames.Moving(now, moving));
             if (IsNews(seat.Touches, seat.Player.Touches)) seat.Page.Send(ServerFrames.Touches(seat.Player.Touches));
         }
     }
@@ -197,6 +200,9 @@ internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters co
 
         /// <summary>The bodies that the page was told of last.</summary>
         public List<BodyPose> Bodies { get; } = [];
+
+        /// <summary>The moving parts that the page was told of last.</summary>
+        public List<MovingPart> Moving { get; } = [];
 
         /// <summary>The touches that the page was told of last.</summary>
         public List<Touch> Touches { get; } = [];

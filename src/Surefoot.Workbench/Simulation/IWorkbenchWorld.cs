@@ -33,6 +33,11 @@ internal interface IWorkbenchWorld : IDisposable
     /// <param name="near">Is filled anew.</param>
     void Look(IWorkbenchPlayer player, List<BodyPose> near);
 
+    /// <summary>Lists the parts near a player that animations move, in the order of their landblocks, objects and parts.</summary>
+    /// <param name="player">Who looks.</param>
+    /// <param name="near">Is filled anew.</param>
+    void LookAtParts(IWorkbenchPlayer player, List<MovingPart> near);
+
     /// <summary>The terrain of a landblock as the physics built it, or null where there is none.</summary>
     /// <param name="block">0xXXYY.</param>
     TerrainBlock? ReadTerrain(ushort block);
@@ -91,8 +96,10 @@ internal sealed record TerrainBlock(float[] Heights, ushort[] Terrain, bool[] So
 /// <param name="Shells">Outsides of buildings.</param>
 /// <param name="Rooms">Rooms, each with what stands in it.</param>
 /// <param name="Plants">Scenery without polygons.</param>
+/// <param name="Moving">Parts that animations move.</param>
 internal sealed record BlockShapes(
-    Vector3[] Objects, Vector3[] Rocks, IReadOnlyList<NamedShape> Shells, IReadOnlyList<NamedShape> Rooms, IReadOnlyList<Plant> Plants);
+    Vector3[] Objects, Vector3[] Rocks, IReadOnlyList<NamedShape> Shells, IReadOnlyList<NamedShape> Rooms, IReadOnlyList<Plant> Plants,
+    IReadOnlyList<MovingShape> Moving);
 
 /// <summary>Triangles that belong together.</summary>
 /// <param name="Id">Id of a room's cell, or of a building's model.</param>
@@ -105,3 +112,18 @@ internal sealed record NamedShape(uint Id, Vector3[] Triangles);
 /// <param name="Height">Metres.</param>
 /// <param name="IsRound">It is a sphere.</param>
 internal readonly record struct Plant(Vector3 Low, float Radius, float Height, bool IsRound);
+
+/// <summary>A part of an object that an animation moves.</summary>
+/// <param name="Object">Which of the landblock's animated statics.</param>
+/// <param name="Part">Which part of it.</param>
+/// <param name="Triangles">Three corners each, metres in the part's own frame at scale 1.</param>
+internal sealed record MovingShape(ushort Object, ushort Part, Vector3[] Triangles);
+
+/// <summary>Where such a part is after the last physics step.</summary>
+/// <param name="Block">Landblock, 0xXXYY.</param>
+/// <param name="Object">Which of the landblock's animated statics.</param>
+/// <param name="Part">Which part of it.</param>
+/// <param name="Position">Metres in the landblock.</param>
+/// <param name="Rotation">Orientation.</param>
+/// <param name="Scale">Scale of the part.</param>
+internal readonly record struct MovingPart(ushort Block, ushort Object, ushort Part, Vector3 Position, Quaternion Rotation, float Scale);

@@ -1,5 +1,6 @@
 using System.Numerics;
 using Surefoot.Physics.Assets;
+using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.World;
 
@@ -7,7 +8,8 @@ namespace Surefoot.Workbench.Simulation;
 
 /// <summary>
 /// Turns what bodies collide with into triangles to draw: the collision polygons of objects, buildings and rooms, and the cylinders and spheres of objects
-/// without polygons. What is not solid is not shown, and what is shown is where it stops a body.
+/// without polygons. What is not solid is not shown, and what is shown is where it stops a body. Parts that an animation moves are apart, each in its own frame:
+/// where they are is told from step to step.
 /// </summary>
 internal static class ShapeCollector
 {
@@ -20,13 +22,14 @@ internal static class ShapeCollector
         List<Vector3> objects = [], rocks = [];
         List<NamedShape> shells = [], rooms = [];
         List<Plant> plants = [];
+        List<MovingShape> moving = [];
         ILookup<uint, StaticObject> indoors = block.StaticObjects.Where(item => !CellIds.IsOutdoor(item.Position.CellId)).ToLookup(item => item.Position.CellId);
         foreach (StaticObject item in block.StaticObjects)
         {
             if (!CellIds.IsOutdoor(item.Position.CellId)) continue;
             if (!item.IsScenery) AddObject(objects, item);
-            else if (item.Setup is { HasPhysicsBsp: false } setup) AddPlant(plants, item, setup);
-            else AddObject(rocks, item);
+            else if (HasTrees(item)) AddObject(rocks, item);
+            else AddPlant(plants, item);
         }
 
         foreach (BuildingObject building in block.Buildings)
@@ -44,11 +47,28 @@ internal static class ShapeCollector
             rooms.Add(new NamedShape(room.Id, [.. triangles]));
         }
 
-        return new BlockShapes([.. objects], [.. rocks], shells, rooms, plants);
+        for (int i = 0; i < block.AnimatedStatics.Count; i++)
+        {
+            if (!MovesSolidParts(block.AnimatedStatics[i])) continue;
+            foreach (SolidPart part in SolidParts.Of(block.AnimatedStatics[i]))
+            {
+                List<Vector3> triangles = [];
+                AddPolygons(triangles, part.Polygons, Frame.Identity, 1f);
+                moving.Add(new MovingShape((ushort)i, (ushort)part.Index, [.. triangles]));
+            }
+        }
+
+        return new BlockShapes([.. objects], [.. rocks], shells, rooms, plants, moving);
     }
 
-    private static void AddPlant(List<Plant> to, StaticObject item, SetupAsset setup)
+    /// <summary>Does an animation move parts of an object that stop bodies?</summary>
+    public static bool MovesSolidParts(StaticObject item) => item.Animation is not null && HasTrees(item);
+
+    private static bool HasTrees(StaticObject item) => (item.State & PhysicsState.HasPhysicsBsp) != 0;
+
+    private static void AddPlant(List<Plant> to, StaticObject item)
     {
+        if (item.Setup is not { } setup) return;
         foreach (CylSphere cylinder in setup.Cylinders)
             to.Add(new Plant(item.Position.Frame.LocalToGlobal(cylinder.LowPoint * item.Scale), cylinder.Radius * item.Scale, cylinder.Height * item.Scale, IsRound: false));
         if (setup.Cylinders.Length > 0) return;
@@ -62,10 +82,10 @@ internal static class ShapeCollector
 
     private static void AddObject(List<Vector3> to, StaticObject item)
     {
-        if (item.Setup is not { } setup) return;
-        if (setup.HasPhysicsBsp)
+        if (item.Setup is not { } setup || MovesSolidParts(item)) return;
+        if (HasTrees(item))
         {
-            foreach ((PolygonSet polygons, Frame frame, float scale) in SolidParts.Of(item)) AddPolygons(to, polygons, frame, scale);
+            foreach (SolidPart part in SolidParts.Of(item)) AddPolygons(to, part.Polygons, part.Frame, part.Scale);
             return;
         }
 

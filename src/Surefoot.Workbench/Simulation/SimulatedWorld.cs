@@ -128,6 +128,23 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     }
 
     /// <inheritdoc/>
+    public void LookAtParts(IWorkbenchPlayer player, List<MovingPart> near)
+    {
+        near.Clear();
+        Position from = ((SimulatedPlayer)player).Player.Body.Position;
+        foreach (Landblock block in land.Landblocks)
+        {
+            for (int i = 0; i < block.AnimatedStatics.Count; i++)
+            {
+                Physics.World.StaticObject item = block.AnimatedStatics[i];
+                if (!ShapeCollector.MovesSolidParts(item) || item.Position.DistanceTo(from) > ShownWithin) continue;
+                foreach (SolidPart part in SolidParts.Of(item))
+                    near.Add(new MovingPart((ushort)(block.Id >> 16), (ushort)i, (ushort)part.Index, part.Frame.Origin, part.Frame.Rotation, part.Scale));
+            }
+        }
+    }
+
+    /// <inheritdoc/>
     public TerrainBlock? ReadTerrain(ushort block)
     {
         uint blockId = (uint)block << 16;

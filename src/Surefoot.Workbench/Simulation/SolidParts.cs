@@ -4,19 +4,25 @@ using Surefoot.Physics.Geometry;
 
 namespace Surefoot.Workbench.Simulation;
 
-/// <summary>The parts of an object whose polygons stop bodies, where they are now.</summary>
+/// <summary>A part of an object whose polygons stop bodies.</summary>
+/// <param name="Index">Which part of the object.</param>
+/// <param name="Polygons">Its collision polygons, in its own frame.</param>
+/// <param name="Frame">Where it is now, in the object's landblock.</param>
+/// <param name="Scale">Its scale.</param>
+internal readonly record struct SolidPart(int Index, PolygonSet Polygons, Frame Frame, float Scale);
+
+/// <summary>The solid parts of objects.</summary>
 internal static class SolidParts
 {
-    /// <summary>The collision polygons of each such part, the part's frame in the object's landblock, and the part's scale.</summary>
-    /// <param name="item">The object.</param>
-    public static IEnumerable<(PolygonSet Polygons, Frame Frame, float Scale)> Of(WorldObject item)
+    /// <summary>The solid parts of an object, as they are now.</summary>
+    public static IEnumerable<SolidPart> Of(WorldObject item)
     {
         if (item.Setup is not { } setup) yield break;
         for (int i = 0; i < item.PlacedPartCount; i++)
         {
             SetupPart part = setup.Parts[i];
             if (part.Mesh.Physics is not { } tree) continue;
-            yield return (tree.Polygons, item.PartFrame(i), part.DefaultScale.Z * item.Scale);
+            yield return new SolidPart(i, tree.Polygons, item.PartFrame(i), part.DefaultScale.Z * item.Scale);
         }
     }
 }

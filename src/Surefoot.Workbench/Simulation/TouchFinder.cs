@@ -98,13 +98,13 @@ internal sealed class TouchFinder(Func<WorldObject, (TouchKind Kind, string Name
         if (item.Setup is not { } setup || (item.State & PhysicsState.Ethereal) != 0) return;
         Position place = item.Position;
         Vector3 offset = CellIds.BlockOffset(cellId, place.CellId);
-        if (setup.HasPhysicsBsp)
+        if ((item.State & PhysicsState.HasPhysicsBsp) != 0)
         {
-            foreach ((PolygonSet polygons, Frame own, float scale) in SolidParts.Of(item))
+            foreach (SolidPart part in SolidParts.Of(item))
             {
-                Frame frame = own;
+                Frame frame = part.Frame;
                 frame.Origin += offset;
-                LookAtPolygons(polygons, frame, scale, thing);
+                LookAtPolygons(part.Polygons, frame, part.Scale, thing);
             }
 
             return;

@@ -49,6 +49,12 @@ internal enum FrameKind : byte
 
     /// <summary>Server → page: what the page's player stands on and touches; sent as <see cref="Bodies"/>; see <see cref="ServerFrames.Touches"/>.</summary>
     Touches = 0x86,
+
+    /// <summary>
+    /// Server → page: the parts near the page's player that animations move; sent as <see cref="Bodies"/>. What is not listed is far and stays as it was; see
+    /// <see cref="ServerFrames.Moving"/>.
+    /// </summary>
+    Moving = 0x87,
 }
 
 /// <summary>The keys a player holds.</summary>
@@ -79,7 +85,7 @@ internal enum PointerButtons : byte
 internal static class WireLimits
 {
     /// <summary>Version of the frames; a page of another version reloads itself.</summary>
-    public const byte Version = 3;
+    public const byte Version = 4;
 
     /// <summary>Longest frame a page sends, bytes.</summary>
     public const int LongestClientFrame = 9;

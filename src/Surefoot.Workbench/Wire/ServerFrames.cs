@@ -17,6 +17,8 @@ internal static class ServerFrames
     public const int BodyLength = 56;
     public const int TouchesHeaderLength = 2;
     public const int TouchLength = 20;
+    public const int MovingHeaderLength = 11;
+    public const int MovingLength = 40;
 
     private const int LongestName = 255;
 
@@ -168,6 +170,35 @@ internal static class ServerFrames
             to.U32(touch.Id);
             to.Vector(touch.Normal);
             to.Text(touch.Name);
+        }
+
+        return bytes;
+    }
+
+    /// <summary>
+    /// <c>u8 kind, f64 time, u16 count</c>, then for each <c>u16 landblock, u16 object, u16 part, u16 0, f32[3] position, f32[4] rotation (x, y, z, w),
+    /// f32 scale</c>.
+    /// </summary>
+    public static byte[] Moving(double time, IReadOnlyList<MovingPart> parts)
+    {
+        int count = Math.Min(parts.Count, ushort.MaxValue);
+        byte[] bytes = new byte[MovingHeaderLength + (count * MovingLength)];
+        Writer to = new(bytes);
+        to.U8((byte)FrameKind.Moving);
+        to.F64(time);
+        to.U16((ushort)count);
+        foreach (MovingPart part in parts.Take(count))
+        {
+            to.U16(part.Block);
+            to.U16(part.Object);
+            to.U16(part.Part);
+            to.U16(0);
+            to.Vector(part.Position);
+            to.F32(part.Rotation.X);
+            to.F32(part.Rotation.Y);
+            to.F32(part.Rotation.Z);
+            to.F32(part.Rotation.W);
+            to.F32(part.Scale);
         }
 
         return bytes;

@@ -56,6 +56,8 @@ internal sealed class StandInWorld : IWorkbenchWorld
         near.Add(new BodyPose(DoorId, BodyKind.Door, doorIsOpen ? BodyFlags.Open : BodyFlags.None, "door", 0xA9B40025, DoorAt, 0.5f, Vector3.Zero, 1, DoorSize));
     }
 
+    public void LookAtParts(IWorkbenchPlayer player, List<MovingPart> near) => near.Clear();
+
     public TerrainBlock? ReadTerrain(ushort block)
     {
         if (block is < 0x1000 or > 0xEFFF) return null;
@@ -70,7 +72,8 @@ internal sealed class StandInWorld : IWorkbenchWorld
         block == 0xA9B4
             ? new BlockShapes(
                 [Vector3.Zero, Vector3.UnitX, Vector3.UnitY], [], [], [new NamedShape(0xA9B40100, [Vector3.Zero, Vector3.UnitX, new Vector3(0, 0, 2)])],
-                [new Plant(new Vector3(1, 2, 3), 0.5f, 4, IsRound: false)])
+                [new Plant(new Vector3(1, 2, 3), 0.5f, 4, IsRound: false)],
+                [new MovingShape(3, 2, [Vector3.Zero, Vector3.UnitX, new Vector3(0, 0, 9)])])
             : null;
 
     public void Dispose() => Disposed = true;

@@ -5,6 +5,7 @@ import type { Place } from "../net/places";
 import type { Session } from "../net/session";
 import type { Drawn } from "../net/timeline";
 import type { BodyPose, OwnPose, PlayerEvent, Touch, Vec3 } from "../net/wire";
+import type { MovingDrawn } from "../things/objects";
 import type { WorldView } from "../things/worldView";
 import type { Hud } from "./hud";
 
@@ -94,6 +95,11 @@ export class Inspection {
   /** What is drawn: people of the crowd, plants, how far a door near by is swung open (0 to 1). */
   get drawnThings(): { crowd: number; plants: number; door: number | null } {
     return { crowd: this.world.bodies.crowdCount, plants: this.world.objects.plantCount, door: this.world.bodies.doorOpened };
+  }
+
+  /** The parts drawn that animations move. */
+  get moving(): MovingDrawn[] {
+    return this.world.objects.movingDrawn;
   }
 
   /** What is cut away: 1 the shell around the player, 2 the building around the camera; floors from this height on. */

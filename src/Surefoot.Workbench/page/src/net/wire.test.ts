@@ -50,6 +50,8 @@ describe("frames of the server", () => {
     expect(decode(bytes(samples.bodies.hex))).toEqual({ kind: "bodies", time: samples.bodies.time, bodies });
     const touches = samples.touches.touches.map((one) => ({ ...one, normal: vec(one.normal) }));
     expect(decode(bytes(samples.touches.hex))).toEqual({ kind: "touches", touches });
+    const part = { ...samples.moving.part, position: vec(samples.moving.part.position) };
+    expect(decode(bytes(samples.moving.hex))).toEqual({ kind: "moving", time: samples.moving.time, parts: [part] });
     const { hex: eventHex, ...event } = samples.event;
     expect(decode(bytes(eventHex))).toEqual({ kind: "event", ...event });
   });
@@ -62,6 +64,7 @@ describe("frames of the server", () => {
       samples.event.hex,
       samples.bodies.hex,
       samples.touches.hex,
+      samples.moving.hex,
     ]) {
       const whole = bytes(hex);
       for (let length = 0; length < whole.byteLength; length++) expect(decode(whole.slice(0, length))).toBeNull();

@@ -1,6 +1,6 @@
 // The frames between this page and the server; `Wire/` in the server's source says the same. All numbers are little-endian.
 
-export const wireVersion = 3;
+export const wireVersion = 4;
 
 export const Key = {
   Forward: 1,
@@ -124,6 +124,24 @@ export interface Touches {
   touches: Touch[];
 }
 
+/** A part of an object that an animation moves, after a step: metres in its landblock. */
+export interface MovingPart {
+  block: number;
+  object: number;
+  part: number;
+  position: Vec3;
+  /** Quaternion: x, y, z, w. */
+  rotation: [number, number, number, number];
+  scale: number;
+}
+
+/** All such parts near the player. */
+export interface Moving {
+  kind: "moving";
+  time: number;
+  parts: MovingPart[];
+}
+
 export interface PlayerEvent {
   kind: "event";
   event: number;
@@ -132,9 +150,21 @@ export interface PlayerEvent {
   code: number;
 }
 
-export type ServerFrame = Welcome | OwnPose | Others | PlayerEvent | Bodies | Touches;
+export type ServerFrame = Welcome | OwnPose | Others | PlayerEvent | Bodies | Touches | Moving;
 
-const lengths = { welcome: 30, pose: 102, othersHeader: 11, other: 52, event: 18, bodiesHeader: 11, body: 56, touchesHeader: 2, touch: 20 };
+const lengths = {
+  welcome: 30,
+  pose: 102,
+  othersHeader: 11,
+  other: 52,
+  event: 18,
+  bodiesHeader: 11,
+  body: 56,
+  touchesHeader: 2,
+  touch: 20,
+  movingHeader: 11,
+  moving: 40,
+};
 
 export function encodeInput(keys: number, sequence: number): ArrayBuffer {
   const view = new DataView(new ArrayBuffer(6));
@@ -202,6 +232,8 @@ export function decode(buffer: ArrayBuffer): ServerFrame | null {
       return buffer.byteLength >= lengths.bodiesHeader ? decodeBodies(read) : null;
     case 0x86:
       return buffer.byteLength >= lengths.touchesHeader ? decodeTouches(read) : null;
+    case 0x87:
+      return buffer.byteLength >= lengths.movingHeader ? decodeMoving(read, buffer.byteLength) : null;
     default:
       return null;
   }
@@ -307,6 +339,23 @@ function decodeTouches(read: Reader): Touches | null {
     touches.push({ footing, type, id, normal, name: read.text(nameLength) });
   }
   return read.left === 0 ? { kind: "touches", touches } : null;
+}
+
+function decodeMoving(read: Reader, length: number): Moving | null {
+  const time = read.f64();
+  const count = read.u16();
+  if (length !== lengths.movingHeader + count * lengths.moving) return null;
+  const parts: MovingPart[] = [];
+  for (let i = 0; i < count; i++) {
+    const block = read.u16();
+    const object = read.u16();
+    const part = read.u16();
+    read.u16();
+    const position = read.vec3();
+    const rotation: MovingPart["rotation"] = [read.f32(), read.f32(), read.f32(), read.f32()];
+    parts.push({ block, object, part, position, rotation, scale: read.f32() });
+  }
+  return { kind: "moving", time, parts };
 }
 
 function decodeEvent(read: Reader): PlayerEvent {

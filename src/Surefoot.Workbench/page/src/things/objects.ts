@@ -1,9 +1,10 @@
 // Objects, buildings, rooms and scenery around the player: the shapes that bodies collide with, plants drawn as plants unless the plain shapes are asked for.
 
 import * as THREE from "three";
-import { decodeShapes, type NamedShape, type Shapes } from "../net/shapes";
+import { decodeShapes, type MovingShape, type NamedShape, type Shapes } from "../net/shapes";
 import { blockSide } from "../net/world";
 import type { Box, Cutaway } from "../scene/cutaway";
+import { MovingParts } from "./moving";
 import { type PlantGroups, Plants } from "./plants";
 
 const drawRadius = 3;
@@ -20,12 +21,24 @@ interface Block {
   rocks: THREE.Group;
   plants: PlantGroups;
   shells: { low: THREE.Box3; world: Box }[];
+  moving: { shape: MovingShape; drawn: THREE.Group }[];
   /** Highest z of each room, by cell. */
   roomTops: Map<number, number>;
 }
 
+/** A part that an animation moves, as drawn: in metres of its landblock, turned by a quaternion (x, y, z, w). */
+export interface MovingDrawn {
+  block: number;
+  object: number;
+  part: number;
+  position: THREE.Vector3Tuple;
+  rotation: THREE.Vector4Tuple;
+}
+
 export class Objects {
   readonly group = new THREE.Group();
+  /** Where the parts are that animations move. */
+  readonly moving = new MovingParts();
   private readonly materials;
   private readonly edges;
   private readonly plants: Plants;
@@ -108,6 +121,28 @@ export class Objects {
       this.askRing(block, ring);
   }
 
+  /** Moves the parts that animations move to where they are at a moment, seconds of the server's clock. */
+  moveParts(time: number): void {
+    for (const [id, block] of this.blocks) {
+      if (typeof block !== "object") continue;
+      for (const { shape, drawn } of block.moving) this.moving.place(id, shape.object, shape.part, time, drawn);
+    }
+  }
+
+  /** The parts drawn that animations move. */
+  get movingDrawn(): MovingDrawn[] {
+    const all: MovingDrawn[] = [];
+    for (const [id, block] of this.blocks) {
+      if (typeof block !== "object") continue;
+      for (const { shape, drawn } of block.moving) {
+        if (!drawn.visible) continue;
+        const { x, y, z, w } = drawn.quaternion;
+        all.push({ block: id, object: shape.object, part: shape.part, position: drawn.position.toArray(), rotation: [x, y, z, w] });
+      }
+    }
+    return all;
+  }
+
   /** Boxes around the buildings of a landblock and its neighbours, relative to the origin. */
   *shellsAround(block: number): Iterable<Box> {
     for (let dx = -1; dx <= 1; dx++) {
@@ -170,7 +205,7 @@ export class Objects {
 
   private add(id: number, shapes: Shapes): void {
     const plants = { near: new THREE.Group(), far: new THREE.Group(), plain: new THREE.Group() };
-    const block: Block = { group: new THREE.Group(), rocks: new THREE.Group(), plants, shells: [], roomTops: new Map() };
+    const block: Block = { group: new THREE.Group(), rocks: new THREE.Group(), plants, shells: [], moving: [], roomTops: new Map() };
     const solid = (numbers: Float32Array, to: THREE.Group): void => {
       if (numbers.length > 0) to.add(...this.mesh(numbers, this.materials.objects, this.edges.thing));
     };
@@ -184,6 +219,14 @@ export class Objects {
       block.group.add(...this.mesh(shell.triangles, this.materials.shells, this.edges.shell));
     }
     if (shapes.rooms.length > 0) block.group.add(...this.rooms(shapes.rooms, block));
+    for (const shape of shapes.moving) {
+      const drawn = new THREE.Group();
+      // Until it is known where it is.
+      drawn.visible = false;
+      drawn.add(...this.mesh(shape.triangles, this.materials.objects, this.edges.thing));
+      block.moving.push({ shape, drawn });
+      block.group.add(drawn);
+    }
     block.group.add(block.rocks, plants.near, plants.far, plants.plain);
     this.choose(id, block);
     this.place(block, id);

@@ -56,6 +56,7 @@ export class WorldView {
     switch (frame.kind) {
       case "welcome":
         this.bodies.clear();
+        this.objects.moving.clear();
         this.players.enter(frame.player);
         this.drawnTeleports = -1;
         break;
@@ -67,6 +68,9 @@ export class WorldView {
         break;
       case "bodies":
         this.bodies.receive(frame);
+        break;
+      case "moving":
+        this.objects.moving.receive(frame);
         break;
     }
   }
@@ -84,6 +88,7 @@ export class WorldView {
     this.players.update(time, this.origin, now, dt);
     if (pose) this.follow(pose, now, dt);
     this.bodies.update(time, this.origin, now, dt);
+    this.objects.moveParts(time);
     this.terrain.uniforms.time.value = now % 3600;
     this.stage.sky.update(this.stage.view.camera.position, now % 3600);
     this.stage.render(elapsed);
