@@ -4,6 +4,7 @@ using Surefoot.Dats;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.World;
+using Surefoot.Server;
 
 namespace Surefoot.Scenes;
 
@@ -36,7 +37,8 @@ internal sealed class PlayerRun : SceneRun
     internal PlayerRun(DatSet dats, PlayerAct act)
         : base(dats)
     {
-        LocalPlayer player = LocalPlayer.Spawn(Engine, PlayerId, Human, Motions, Load(act.Place, 2), new CharacterStats(300, 300))
+        LoopbackServer server = new(PlayerId, new CharacterStats(300, 300), Engine.Now);
+        LocalPlayer player = LocalPlayer.Spawn(Engine, PlayerId, Human, Motions, Load(act.Place, 2), server)
             ?? throw new InvalidOperationException($"There is no room at {act.Place}.");
         double now = 0;
         for (int i = 0; i < SettlingSteps + StepsWithKeys; i++)

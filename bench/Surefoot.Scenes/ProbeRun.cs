@@ -4,6 +4,7 @@ using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.World;
+using Surefoot.Server;
 
 namespace Surefoot.Scenes;
 
@@ -30,7 +31,8 @@ public sealed class ProbeRun : SceneRun
         for (int i = 0; i < runners; i++)
         {
             Position start = new(first.CellId, new Frame(first.Frame.Origin + (i * spacing * first.Frame.XAxis), first.Frame.Rotation));
-            players.Add(LocalPlayer.Spawn(Engine, (uint)(i + 1), Human, Motions, start, new CharacterStats(300, 300))
+            LoopbackServer server = new((uint)(i + 1), new CharacterStats(300, 300), Engine.Now);
+            players.Add(LocalPlayer.Spawn(Engine, (uint)(i + 1), Human, Motions, start, server)
                 ?? throw new InvalidOperationException($"There is no room at {place}."));
             runs.Add(new Way[Quanta]);
         }

@@ -7,6 +7,7 @@ using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.World;
+using Surefoot.Server;
 
 namespace Surefoot.Scenes;
 
@@ -71,7 +72,8 @@ internal sealed class TourRun : SceneRun
         visitors.Clear();
 
         Position position = Load(place.Name, 1);
-        player = LocalPlayer.Spawn(Engine, PlayerId, Human, Motions, position, new CharacterStats((int)(Roll() * 800), (int)(Roll() * 800)));
+        LoopbackServer server = new(PlayerId, new CharacterStats((int)(Roll() * 800), (int)(Roll() * 800)), Engine.Now);
+        player = LocalPlayer.Spawn(Engine, PlayerId, Human, Motions, position, server);
         Engine.Player = player?.Body;
         const PhysicsState plain = PhysicsState.Gravity | PhysicsState.ReportCollisions;
         Throw(position, Engine.CreateBody(FirstThrown, Ball, plain, WeenieTraits.Present));

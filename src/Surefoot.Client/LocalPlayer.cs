@@ -1,25 +1,31 @@
+using System.Numerics;
 using Surefoot.Physics;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.World;
+using Surefoot.Protocol.Messages;
+using Surefoot.Protocol.Session;
 
 namespace Surefoot.Client;
 
-/// <summary>A player in a world: body, motions, keys, and a server in the same process.</summary>
-public sealed class LocalPlayer : IMovementSink
+/// <summary>A player in a world: body, motions, keys, and the way to its server.</summary>
+public sealed class LocalPlayer
 {
-    private readonly IMovementSink? observer;
+    private readonly PlayerMessages messages;
 
-    private LocalPlayer(PhysicsEngine engine, PhysicsBody body, MotionTableAsset table, CharacterStats stats, LocalPlayerOptions options)
+    private LocalPlayer(PhysicsEngine engine, PhysicsBody body, MotionTableAsset table, IServerLink server, LocalPlayerOptions options)
     {
-        observer = options.Observer;
         Body = body;
-        Weenie = new PlayerWeenie(stats, RunRateSource.Server, options.TopSpeedRule);
+        Server = server;
+        Weenie = new PlayerWeenie(new CharacterStats(0, 0), options.TopSpeedRule);
+        Character = new CharacterSheet(options.AttributesRaiseSkills);
         Movement = new MovementManager(body, table, Weenie);
         body.AttachMovement(Movement);
-        Server = new LoopbackServer(stats, engine.Now, options.Latency, options.TopSpeedRule);
-        Controller = new PlayerMovementController(body, Movement, this, engine.Now);
+        PlayerObject player = new(body.Id, options.Stamps);
+        Controller = new PlayerMovementController(body, Movement,
+            new MovementSender(body, Movement, player, server, options.Observer, engine.Now));
+        messages = new PlayerMessages(player, Movement, Controller, Weenie, Character, options.Commands);
     }
 
     /// <summary>The body.</summary>
@@ -28,36 +34,45 @@ public sealed class LocalPlayer : IMovementSink
     /// <summary>Its motions.</summary>
     public MovementManager Movement { get; }
 
-    /// <summary>What the client knows of the character.</summary>
+    /// <summary>What the physics asks of the character.</summary>
     public PlayerWeenie Weenie { get; }
+
+    /// <summary>The character's numbers, as the server told them.</summary>
+    public CharacterSheet Character { get; }
 
     /// <summary>The keys.</summary>
     public PlayerMovementController Controller { get; }
 
-    /// <summary>The server; the character's numbers are changed here.</summary>
-    public LoopbackServer Server { get; }
+    /// <summary>The way to the server.</summary>
+    public IServerLink Server { get; }
 
-    /// <summary>Puts a player into the world.</summary>
+    /// <summary>Messages of the server about the player that could not be read. They changed nothing.</summary>
+    public long UnreadableMessages => messages.UnreadableCount;
+
+    /// <summary>Puts a player into the world. What its server has to say by now of the character is heard first.</summary>
     /// <param name="engine">The world.</param>
-    /// <param name="id">Id of the body, unique and not 0.</param>
+    /// <param name="id">Id of the body, unique and not 0; its server knows it by the same one.</param>
     /// <param name="setup">Shape of the body.</param>
     /// <param name="table">Motions of the body.</param>
     /// <param name="position">Where it begins.</param>
-    /// <param name="stats">The character's numbers.</param>
-    /// <param name="options">Latency, rules, observer.</param>
+    /// <param name="server">The way to its server, which tells the character's numbers.</param>
+    /// <param name="options">Rules, stamps, observer.</param>
     /// <returns>The player; null when there is no room for it.</returns>
     /// <exception cref="ArgumentException">An argument is out of range; nothing has changed.</exception>
     public static LocalPlayer? Spawn(
-        PhysicsEngine engine, uint id, SetupAsset setup, MotionTableAsset table, in Position position, CharacterStats stats, LocalPlayerOptions? options = null)
+        PhysicsEngine engine, uint id, SetupAsset setup, MotionTableAsset table, in Position position, IServerLink server,
+        LocalPlayerOptions? options = null)
     {
         ArgumentNullException.ThrowIfNull(engine);
         ArgumentNullException.ThrowIfNull(setup);
         ArgumentNullException.ThrowIfNull(table);
+        ArgumentNullException.ThrowIfNull(server);
         PhysicsBody body = engine.CreateBody(
             id, setup, PhysicsState.Default, WeenieTraits.Present | WeenieTraits.Creature | WeenieTraits.Player);
         try
         {
-            LocalPlayer player = new(engine, body, table, stats, options ?? new LocalPlayerOptions());
+            LocalPlayer player = new(engine, body, table, server, options ?? new LocalPlayerOptions());
+            server.Receive(engine.Now, player.messages);
             if (body.EnterWorld(position)) return player;
         }
         catch
@@ -73,43 +88,51 @@ public sealed class LocalPlayer : IMovementSink
     /// <summary>A frame: what the server says arrives, then the keys act. To be called before <see cref="PhysicsEngine.Tick"/>.</summary>
     /// <param name="keys">Keys held now.</param>
     /// <param name="now">Seconds.</param>
+    /// <exception cref="ArgumentException">The time is not finite; nothing has changed.</exception>
     public void Update(MovementKeys keys, double now)
     {
-        Server.Deliver(Controller, now);
+        PlayerMovementController.ThrowIfNotFinite(now);
+        Server.Receive(now, messages);
         Controller.Update(keys, now);
     }
 
-    /// <inheritdoc/>
-    void IMovementSink.OnMoveToState(in MoveToStateEvent e)
+    /// <summary>Puts the player somewhere else, on the nearest free place. It stands still there, autorun ends, and the server is told what
+    /// is asked of it.</summary>
+    /// <param name="place">Where.</param>
+    /// <param name="now">Seconds.</param>
+    /// <returns>OK also when the cell is not loaded: the player then waits for it. Otherwise nothing has changed.</returns>
+    /// <exception cref="ArgumentException">The place or the time is not finite, or the id names no cell; nothing has changed.</exception>
+    /// <remarks>Specification 02, 4.17 (local player) and 08, 4.4, step 5.</remarks>
+    public PlacementResult Teleport(in Position place, double now)
     {
-        Server.OnMoveToState(e);
-        observer?.OnMoveToState(e);
-    }
-
-    /// <inheritdoc/>
-    void IMovementSink.OnJump(in JumpEvent e)
-    {
-        Server.OnJump(e);
-        observer?.OnJump(e);
-    }
-
-    /// <inheritdoc/>
-    void IMovementSink.OnAutonomousPosition(in AutonomousPositionEvent e)
-    {
-        Server.OnAutonomousPosition(e);
-        observer?.OnAutonomousPosition(e);
+        PlayerMovementController.ThrowIfNotFinite(now);
+        PlacementResult result = Body.SetPositionSimple(place, sliding: true);
+        if (result != PlacementResult.OK) return result;
+        Body.TeleportHook();
+        Body.SetVelocity(Vector3.Zero);
+        Controller.OnTeleported(now);
+        return result;
     }
 }
 
 /// <summary>How a <see cref="LocalPlayer"/> is set up.</summary>
 public sealed record LocalPlayerOptions
 {
-    /// <summary>Seconds from a message of the client to its answer.</summary>
-    public double Latency { get; init; }
-
     /// <summary>From which run skill on the top speed holds.</summary>
     public TopSpeedRule TopSpeedRule { get; init; }
 
-    /// <summary>Receives what the client sends, after the server has; null for nobody.</summary>
-    public IMovementSink? Observer { get; init; }
+    /// <summary>
+    /// The character's attributes are part of its skills (run: quickness; jump: half of strength and coordination), as with servers of the
+    /// field, which leave them out of what they tell. Off for a server that tells skills as they are.
+    /// </summary>
+    public bool AttributesRaiseSkills { get; init; }
+
+    /// <summary>The server's numbering of commands; servers of the field have <see cref="CommandTable.Ace"/>.</summary>
+    public CommandTable Commands { get; init; } = CommandTable.Retail;
+
+    /// <summary>The stamps of the player's object, as CreateObject brought them; at first those of a character's first life.</summary>
+    public ObjectStamps Stamps { get; init; } = new(0, 0, 0, 0, 0, 0, 0, 0, Instance: 1);
+
+    /// <summary>Looks on at what the client sends; null for nobody.</summary>
+    public IMovementObserver? Observer { get; init; }
 }

@@ -1,13 +1,18 @@
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Motion;
+using Surefoot.Protocol.Messages;
+using Surefoot.Protocol.Session;
 
 namespace Surefoot.Client;
 
 /// <summary>Puts what is told to the server together, and knows when the position is due.</summary>
-/// <remarks>Retail: the senders of CommandInterpreter; specification 09b, 9.8.</remarks>
-internal sealed class MovementSender(IMotionBody body, MovementManager movement, IMovementSink sink, double now)
+/// <remarks>Retail: the senders of CommandInterpreter; specification 08, section 5 and 09b, 9.8.</remarks>
+internal sealed class MovementSender(
+    IMotionBody body, MovementManager movement, PlayerObject player, IServerLink server, IMovementObserver? observer, double now)
 {
     private PositionReport report = new(now);
+
+    private bool StandsOnGround => body.HasContact && body.OnWalkable;
 
     /// <summary>What is asked of the body now, whether it changed or not.</summary>
     /// <remarks>Retail: CommandInterpreter::SendMovementEvent @0x006B4680.</remarks>
@@ -15,17 +20,27 @@ internal sealed class MovementSender(IMotionBody body, MovementManager movement,
     {
         report.OnMoveToState(now);
         MotionInterpreter motions = movement.Interpreter;
-        bool contact = body.HasContact && body.OnWalkable;
-        sink.OnMoveToState(new MoveToStateEvent(now, motions.Raw.Clone(), body.Position, contact, motions.StandingLongJump));
+        MoveToState message = new(WireForms.Of(motions.Raw), WireForms.Of(body.Position), player.Sent, StandsOnGround,
+            motions.StandingLongJump);
+        server.Send(message, now);
+        observer?.OnMoveToState(message, now);
     }
 
     /// <summary>The body has jumped: its velocity is that after the jump.</summary>
-    public void SendJump(float extent, double now) => sink.OnJump(new JumpEvent(now, extent, body.LocalVelocity, body.Position));
+    public void SendJump(float extent, double now)
+    {
+        Jump message = new(extent, body.LocalVelocity, WireForms.Of(body.Position), player.Sent);
+        server.Send(message, now);
+        observer?.OnJump(message, now);
+    }
 
     /// <summary>Where the body is, when that is due.</summary>
     /// <remarks>Retail: CommandInterpreter::SendPositionEvent @0x006B4770.</remarks>
     public void SendPositionWhenDue(double now)
     {
-        if (report.IsDue(body, now)) sink.OnAutonomousPosition(new AutonomousPositionEvent(now, body.Position, Contact: true));
+        if (!report.IsDue(body, now)) return;
+        AutonomousPosition message = new(WireForms.Of(body.Position), player.Sent, Contact: true);
+        server.Send(message, now);
+        observer?.OnAutonomousPosition(message, now);
     }
 }

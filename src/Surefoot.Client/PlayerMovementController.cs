@@ -8,12 +8,11 @@ namespace Surefoot.Client;
 /// it reads no clock and owns nothing global.
 /// </summary>
 /// <remarks>Retail: the input side of the client; specification 01, 4.12 and 4.15, 08, 5.6 and 09b, 9 and 10.</remarks>
-public sealed class PlayerMovementController : IServerMessageHandler
+public sealed class PlayerMovementController
 {
     /// <summary>The pointer rests when nothing has come in for this long, seconds.</summary>
     private const double RestTime = 0.2;
 
-    private readonly MovementManager movement;
     private readonly JumpKey jump;
     private readonly CommandInterpreter commands;
     private MovementKeys held;
@@ -22,16 +21,9 @@ public sealed class PlayerMovementController : IServerMessageHandler
     /// <summary>A controller of a body.</summary>
     /// <param name="body">The body.</param>
     /// <param name="movement">Its motion side, which the body already calls.</param>
-    /// <param name="sink">Receives what the client would send.</param>
-    /// <param name="now">Seconds, of the same clock as later calls.</param>
-    public PlayerMovementController(IMotionBody body, MovementManager movement, IMovementSink sink, double now)
+    /// <param name="sender">Tells the server.</param>
+    internal PlayerMovementController(IMotionBody body, MovementManager movement, MovementSender sender)
     {
-        ArgumentNullException.ThrowIfNull(body);
-        ArgumentNullException.ThrowIfNull(movement);
-        ArgumentNullException.ThrowIfNull(sink);
-        ThrowIfNotFinite(now);
-        this.movement = movement;
-        MovementSender sender = new(body, movement, sink, now);
         jump = new JumpKey(movement, sender);
         commands = new CommandInterpreter(body, movement, sender, jump);
     }
@@ -184,31 +176,8 @@ public sealed class PlayerMovementController : IServerMessageHandler
         commands.HandleTeleport(now);
     }
 
-    /// <summary>
-    /// A server says what the player's body does. When the server ordered it, the body does it and the keys wait. When it only repeats what the player asked for, the
-    /// motion is ignored, as in retail, but the forward speed of a runner is adopted: it is the server's run rate.
-    /// </summary>
-    /// <exception cref="ArgumentException">A speed is NaN or infinite, or a runner's is not positive; nothing has changed.</exception>
-    public void HandleUpdateMotion(in UpdateMotionEvent message)
-    {
-        ArgumentNullException.ThrowIfNull(message.State, nameof(message));
-        if (message.Autonomous)
-        {
-            if (message.State.ForwardCommand == MotionCommand.RunForward) movement.Interpreter.AdoptRunRate(message.State.ForwardSpeed);
-            return;
-        }
-
-        movement.ApplyUpdate(message.State, autonomous: false, message.StandingLongJump);
-        commands.LoseControlToServer();
-    }
-
-    /// <summary>A server says what numbers the character has. Only here do they reach the player's weenie, so until then everything stays as it was.</summary>
-    /// <exception cref="ArgumentException">A number is out of range.</exception>
-    public void HandleCharacterUpdate(in CharacterUpdateEvent message)
-    {
-        if (movement.Interpreter.Weenie is PlayerWeenie weenie) weenie.SetStats(message.Stats);
-        movement.Interpreter.AdoptRunRate(message.RunRate);
-    }
+    /// <summary>The body does what a server ordered; the keys wait until that is done.</summary>
+    internal void LoseControlToServer() => commands.LoseControlToServer();
 
     /// <summary>Keys that changed within one frame are taken in this order.</summary>
     private void HandleKeys(MovementKeys changed, double now)
@@ -239,7 +208,7 @@ public sealed class PlayerMovementController : IServerMessageHandler
         if (MouseTurning.Filter(counts, now, out float turn)) commands.TurnByMouse(turn, now);
     }
 
-    private static void ThrowIfNotFinite(double now)
+    internal static void ThrowIfNotFinite(double now)
     {
         if (!double.IsFinite(now)) throw new ArgumentException("The time is not finite.", nameof(now));
     }

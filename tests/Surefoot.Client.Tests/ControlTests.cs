@@ -1,6 +1,6 @@
-using System.Numerics;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.Tests.Motion;
+using Surefoot.Protocol.Messages;
 
 namespace Surefoot.Client.Tests;
 
@@ -93,19 +93,16 @@ public class ControlTests
     }
 
     [Fact]
-    [Behaviour("controller.server.echo-is-ignored-but-its-run-rate", "spec/08, 4.3; spec/01, 4.5")]
-    public void An_echo_changes_nothing_but_the_run_rate()
+    [Behaviour("controller.server.echo-is-ignored", "spec/08, 4.3 and 11.12; spec/09, 5.4")]
+    public void An_echo_of_what_the_player_does_changes_nothing()
     {
-        KeyFixture f = new(new PlayerWeenie(new CharacterStats(300, 300), RunRateSource.Server));
+        KeyFixture f = new();
         f.Press(MovementKeys.Forward);
-        Assert.Equal((MotionCommand.RunForward, 1f), f.Forward);
-        f.Controller.HandleUpdateMotion(new UpdateMotionEvent(new InterpretedMotionState(), Autonomous: true));
-        Assert.Equal((MotionCommand.RunForward, 1f), f.Forward);
-        InterpretedMotionState run = new() { ForwardCommand = MotionCommand.RunForward, ForwardSpeed = 2.5f };
-        f.Controller.HandleUpdateMotion(new UpdateMotionEvent(run, Autonomous: true));
-        Assert.Equal((MotionCommand.RunForward, 2.5f), f.Forward);
+        f.Echo(new WireInterpretedMotion(forwardCommand: 0x0007, forwardSpeed: 1.5f));
+        Assert.Equal((MotionCommand.RunForward, 2.6500001f), f.Forward);
+        f.Echo(new WireInterpretedMotion());
+        Assert.Equal((MotionCommand.RunForward, 2.6500001f), f.Forward);
         Assert.False(f.Controller.IsControlledByServer);
-        Assert.Equal(new Vector3(0, 10, 0), f.Interpreter.GetStateVelocity());
     }
 
     [Fact]

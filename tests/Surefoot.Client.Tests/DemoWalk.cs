@@ -8,6 +8,7 @@ using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.World;
 using Surefoot.Scenes;
+using Surefoot.Server;
 
 namespace Surefoot.Client.Tests;
 
@@ -51,7 +52,7 @@ public sealed class DemoFiles : IDisposable
 /// <summary>A player at a named place of the demo world, with a world that ticks 30 times a second.</summary>
 internal sealed class DemoWalk
 {
-    private const uint HumanSetup = 0x02000001;
+    private const uint PlayerId = 0x50000001, HumanSetup = 0x02000001;
     private readonly DemoFiles files;
     private readonly PhysicsEngine engine;
     private readonly PhysicsWorld world;
@@ -78,7 +79,8 @@ internal sealed class DemoWalk
         if (CellIds.IsOutdoor(position.CellId)) position.AdjustToOutside();
         world.EnsureLoadedAround(position, 1);
         Player = LocalPlayer.Spawn(
-            engine, 0x50000001, files.Cache.GetSetup(HumanSetup), files.Motions, position, stats, new LocalPlayerOptions { Observer = Sent })!;
+            engine, PlayerId, files.Cache.GetSetup(HumanSetup), files.Motions, position, new LoopbackServer(PlayerId, stats, engine.Now),
+            new LocalPlayerOptions { Observer = Sent })!;
         engine.Player = Player.Body;
         if (heading is { } degrees) Body.SetHeading(degrees);
         if (upward == 0) Hold(MovementKeys.None, 10);

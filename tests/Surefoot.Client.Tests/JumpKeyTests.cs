@@ -43,7 +43,7 @@ public class JumpKeyTests
         KeyFixture f = new();
         f.Controller.Update(MovementKeys.Jump, 10);
         f.Controller.Update(MovementKeys.None, 10 + time);
-        JumpEvent e = Assert.Single(f.Sent.Jumps);
+        SentJump e = Assert.Single(f.Sent.Jumps);
         Assert.Equal((0.001f, new Vector3(0, 0, 2.61916018f)), (e.Extent, e.Velocity));
     }
 
@@ -53,7 +53,7 @@ public class JumpKeyTests
     {
         KeyFixture f = InControl();
         f.Press(MovementKeys.Jump);
-        MoveToStateEvent charge = Assert.Single(f.Sent.Moves);
+        SentMove charge = Assert.Single(f.Sent.Moves);
         Assert.Equal((HoldKey.Run, MotionCommand.Ready, true, true), (charge.State.CurrentHoldKey, charge.State.ForwardCommand, charge.Contact, charge.StandingLongJump));
 
         f.Press(MovementKeys.Jump | MovementKeys.Forward, 5);
@@ -82,7 +82,7 @@ public class JumpKeyTests
         f.Controller.Update(MovementKeys.Jump | MovementKeys.Forward, 10.1);
         int sent = f.Sent.Moves.Count;
         f.Controller.Update(MovementKeys.Forward, 10.25);
-        JumpEvent e = Assert.Single(f.Sent.Jumps);
+        SentJump e = Assert.Single(f.Sent.Jumps);
         Assert.Equal((0.25f, new Vector3(0, 10.6000004f, 4.54326439f)), (e.Extent, e.Velocity));
         Assert.Equal(sent, f.Sent.Moves.Count);
         Assert.False(f.Interpreter.StandingLongJump);
@@ -96,7 +96,7 @@ public class JumpKeyTests
         f.Press(MovementKeys.Forward);
         f.Press(MovementKeys.Forward | MovementKeys.Jump, 40);
         f.Press(MovementKeys.Forward);
-        JumpEvent e = Assert.Single(f.Sent.Jumps);
+        SentJump e = Assert.Single(f.Sent.Jumps);
         Assert.Equal(1f, e.Extent);
         Assert.Equal(new Vector3(0, 10.6000004f, 9.08652878f), e.Velocity);
         Assert.False(f.OnWalkable);
@@ -112,7 +112,7 @@ public class JumpKeyTests
         (f.HasContact, f.OnWalkable) = (false, false);
         f.Press(MovementKeys.Jump);
         Assert.True(f.Controller.IsChargingJump);
-        MoveToStateEvent charge = Assert.Single(f.Sent.Moves);
+        SentMove charge = Assert.Single(f.Sent.Moves);
         Assert.Equal((false, false), (charge.Contact, charge.StandingLongJump));
         f.Press(MovementKeys.None);
         Assert.Empty(f.Sent.Jumps);

@@ -4,6 +4,8 @@ using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.Tests.Motion;
 using Surefoot.Physics.World;
+using Surefoot.Protocol.Messages;
+using Surefoot.Protocol.Session;
 
 namespace Surefoot.Client.Tests;
 
@@ -11,17 +13,31 @@ namespace Surefoot.Client.Tests;
 internal sealed class KeyFixture : IMotionBody
 {
     internal const double FrameTime = 1.0 / 30;
+    internal const uint Id = 0x50000001;
 
-    internal KeyFixture(IWeenieObj? weenie = null, MotionTableAsset? table = null)
+    private readonly FakeServer orders = new();
+    private ushort movementStamp;
+    private ushort serverControlStamp;
+
+    internal KeyFixture(PlayerWeenie? weenie = null, MotionTableAsset? table = null, IServerLink? server = null)
     {
-        Movement = new MovementManager(this, table ?? HumanoidTable.Create(), weenie ?? new PlayerWeenie(new CharacterStats(300, 300)));
-        Controller = new PlayerMovementController(this, Movement, Sent, Now);
+        Server = server ?? orders;
+        weenie ??= new PlayerWeenie(new CharacterStats(300, 300));
+        PlayerObject player = new(Id, new LocalPlayerOptions().Stamps);
+        Movement = new MovementManager(this, table ?? HumanoidTable.Create(), weenie);
+        Controller = new PlayerMovementController(this, Movement, new MovementSender(this, Movement, player, Server, Sent, Now));
+        Messages = new PlayerMessages(player, Movement, Controller, weenie, new CharacterSheet(attributesRaiseSkills: false),
+            CommandTable.Retail);
         Press(MovementKeys.None);
     }
 
     internal double Now { get; set; }
 
     internal Recorder Sent { get; } = new();
+
+    internal IServerLink Server { get; }
+
+    internal PlayerMessages Messages { get; }
 
     internal MovementManager Movement { get; }
 
@@ -32,13 +48,14 @@ internal sealed class KeyFixture : IMotionBody
     internal RawMotionState Raw => Interpreter.Raw;
 
     /// <summary>What was sent last.</summary>
-    internal MoveToStateEvent LastSent => Sent.Moves[^1];
+    internal SentMove LastSent => Sent.Moves[^1];
 
     internal (MotionCommand Command, float Speed) Forward => (Interpreter.Interpreted.ForwardCommand, Interpreter.Interpreted.ForwardSpeed);
 
     internal (MotionCommand Command, float Speed) Turn => (Interpreter.Interpreted.TurnCommand, Interpreter.Interpreted.TurnSpeed);
 
-    internal (MotionCommand Command, float Speed) Sidestep => (Interpreter.Interpreted.SidestepCommand, Interpreter.Interpreted.SidestepSpeed);
+    internal (MotionCommand Command, float Speed) Sidestep =>
+        (Interpreter.Interpreted.SidestepCommand, Interpreter.Interpreted.SidestepSpeed);
 
     public bool HasContact { get; set; } = true;
 
@@ -79,9 +96,25 @@ internal sealed class KeyFixture : IMotionBody
         }
     }
 
+    /// <summary>What the server has said by now arrives.</summary>
+    internal void Hear() => Server.Receive(Now, Messages);
+
+    /// <summary>A server says something, and it arrives at once.</summary>
+    internal void Say<T>(in T message)
+        where T : IMessage<T>
+    {
+        orders.Say(message);
+        orders.Receive(Now, Messages);
+    }
+
     /// <summary>A server orders a state.</summary>
-    internal void Order(MotionCommand forward, float speed = 1f) => Controller.HandleUpdateMotion(
-        new UpdateMotionEvent(new InterpretedMotionState { ForwardCommand = forward, ForwardSpeed = speed }, Autonomous: false));
+    internal void Order(MotionCommand forward, float speed = 1f) => Say(new UpdateMotion(
+        Id, 1, ++movementStamp, ++serverControlStamp, Autonomous: false,
+        MovementData.Motion(0, new WireInterpretedMotion(forwardCommand: (ushort)forward, forwardSpeed: speed))));
+
+    /// <summary>A server repeats what the player asked for.</summary>
+    internal void Echo(in WireInterpretedMotion state) => Say(new UpdateMotion(
+        Id, 1, ++movementStamp, serverControlStamp, Autonomous: true, MovementData.Motion(0, state)));
 
     private void Animate()
     {

@@ -67,7 +67,7 @@ public class PositionReportTests
         f.Position = f.Position with { CellId = 0xA9B4001A };
         f.Controller.Update(MovementKeys.Forward, 100.02);
         Assert.Single(f.Sent.Moves);
-        Assert.Equal(0xA9B4001Au, Assert.Single(f.Sent.Positions).Position.CellId);
+        Assert.Equal(0xA9B4001Au, Assert.Single(f.Sent.Positions).Position.Cell);
     }
 
     [Theory]

@@ -4,6 +4,7 @@ using Surefoot.Physics;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.World;
+using Surefoot.Server;
 
 namespace Surefoot.Client.Tests;
 
@@ -31,7 +32,8 @@ public sealed class ReadmeSampleTests
             var engine = new PhysicsEngine(world);
             var human = cache.GetSetup(0x02000001);
             var motions = MotionTableLoader.Load(dats, human.DefaultMotionTableId);
-            var player = LocalPlayer.Spawn(engine, 0x50000001, human, motions, start, new CharacterStats(RunSkill: 300, JumpSkill: 250))!;
+            var server = new LoopbackServer(0x50000001, new CharacterStats(RunSkill: 300, JumpSkill: 250), now);
+            var player = LocalPlayer.Spawn(engine, 0x50000001, human, motions, start, server)!;
             for (int frame = 0; frame < 120; frame++, now += 1.0 / 60)
             {
                 player.Update(MovementKeys.Forward, now);                      // keys held, seconds

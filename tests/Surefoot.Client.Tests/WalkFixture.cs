@@ -5,6 +5,7 @@ using Surefoot.Physics.Motion;
 using Surefoot.Physics.Tests.Motion;
 using Surefoot.Physics.Tests.Transitions;
 using Surefoot.Physics.World;
+using Surefoot.Server;
 
 namespace Surefoot.Client.Tests;
 
@@ -17,6 +18,8 @@ internal sealed class WalkFixture
     /// <summary>The foot's sphere reaches 5 mm below the body's origin, as in retail's human.</summary>
     internal const float RestHeight = 0.005f;
 
+    private const uint PlayerId = 1;
+
     private int frames;
 
     internal WalkFixture(CharacterStats stats, double latency = 0, bool smooth = false, Func<Vector3, Plane?>? ground = null)
@@ -24,9 +27,9 @@ internal sealed class WalkFixture
         World = new StubWorld(ground ?? (_ => StubWorld.Flat(0)));
         Engine = new PhysicsEngine(World);
         Table = HumanoidTable.Create(smooth);
+        Server = new LoopbackServer(PlayerId, stats, Engine.Now, latency);
         Player = LocalPlayer.Spawn(
-            Engine, 1, Setup, Table, new Position(StubWorld.CellId, new Vector3(12, 12, 0)), stats,
-            new LocalPlayerOptions { Latency = latency, Observer = Sent })!;
+            Engine, PlayerId, Setup, Table, new Position(StubWorld.CellId, new Vector3(12, 12, 0)), Server, new LocalPlayerOptions { Observer = Sent })!;
         Engine.Player = Player.Body;
         Hold(MovementKeys.None, 5);
     }
@@ -39,6 +42,8 @@ internal sealed class WalkFixture
     internal PhysicsEngine Engine { get; }
 
     internal MotionTableAsset Table { get; }
+
+    internal LoopbackServer Server { get; }
 
     internal LocalPlayer Player { get; }
 

@@ -89,7 +89,7 @@ public class WalkingTests
     {
         WalkFixture f = new(new CharacterStats(0, 300), latency: 0.5, smooth: true);
         f.Hold(MovementKeys.Forward, 60);
-        f.Player.Server.SetStats(new CharacterStats(300, 300), f.Now);
+        f.Server.SetStats(new CharacterStats(300, 300), f.Now);
         Assert.Equal(4.0, f.SpeedOver(MovementKeys.Forward, 14.0 / 30), 1e-4);
         f.Hold(MovementKeys.Forward, 2);
         Assert.Equal(10.6, f.SpeedOver(MovementKeys.Forward, 1), 1e-4);
@@ -132,7 +132,7 @@ public class WalkingTests
         WalkFixture f = new(new CharacterStats(300, skill, Burden: burden));
         f.Hold(MovementKeys.Jump, chargeFrames);
         f.Hold(MovementKeys.None, 1);
-        JumpEvent jump = Assert.Single(f.Sent.Jumps);
+        SentJump jump = Assert.Single(f.Sent.Jumps);
         Assert.Equal(Math.Min(1, chargeFrames / 30.0), jump.Extent, 1e-6);
         Assert.Equal(jump.Velocity, new Vector3(0, 0, MovementFormulas.JumpVelocity(MovementFormulas.JumpHeight(burden / 15000f, skill, jump.Extent))));
 

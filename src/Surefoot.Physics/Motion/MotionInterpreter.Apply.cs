@@ -19,21 +19,6 @@ public sealed partial class MotionInterpreter
     /// <remarks>Retail: CMotionInterp::ReportExhaustion @0x005288D0.</remarks>
     public void ReportExhaustion() => ApplyCurrentMovement(cancelMoveTo: false, disallowJump: false);
 
-    /// <summary>
-    /// Takes the run rate a server worked out for the local player and acts by it at once. Retail learns it from any interpreted state whose forward command is
-    /// <see cref="MotionCommand.RunForward"/>; a client that leaves the rate to the server (<see cref="RunRateSource.Server"/>) learns it here, without
-    /// giving up control.
-    /// </summary>
-    /// <param name="rate">Factor on the running speed of 4 m/s, more than 0.</param>
-    /// <exception cref="ArgumentException">The rate is not a positive number.</exception>
-    public void AdoptRunRate(float rate)
-    {
-        if (!(rate > 0) || !float.IsFinite(rate)) throw new ArgumentException("A run rate is a positive number.", nameof(rate));
-        float before = RunRate;
-        MyRunRate = rate;
-        if (RunRate != before) ApplyCurrentMovement(cancelMoveTo: false, disallowJump: false);
-    }
-
     /// <summary>Normalises the keys into the interpreted state and puts it into effect.</summary>
     /// <remarks>Retail: CMotionInterp::apply_raw_movement @0x005287E0.</remarks>
     public void ApplyRawMovement(bool cancelMoveTo, bool disallowJump)

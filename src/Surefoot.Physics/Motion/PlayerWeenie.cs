@@ -1,17 +1,5 @@
 namespace Surefoot.Physics.Motion;
 
-/// <summary>Who works out the player's run rate.</summary>
-public enum RunRateSource
-{
-    /// <summary>The client itself, from the skill it was told; retail's way.</summary>
-    OwnSkill,
-
-    /// <summary>
-    /// The server: the weenie does not answer, so the motion interpreter keeps the rate that an UpdateMotion brought, until the next one.
-    /// </summary>
-    Server,
-}
-
 /// <summary>The numbers of a character that movement looks at. Skills are final: enchantments and augmentations are in them.</summary>
 /// <param name="RunSkill">Run skill, 0 or more.</param>
 /// <param name="JumpSkill">Jump skill, 0 or more.</param>
@@ -35,18 +23,14 @@ public readonly record struct CharacterStats(
 public sealed class PlayerWeenie : IWeenieObj
 {
     /// <summary>A player with these numbers.</summary>
-    public PlayerWeenie(CharacterStats stats, RunRateSource runRateSource = RunRateSource.OwnSkill, TopSpeedRule topSpeedRule = TopSpeedRule.EightHundredAndAbove)
+    public PlayerWeenie(CharacterStats stats, TopSpeedRule topSpeedRule = TopSpeedRule.EightHundredAndAbove)
     {
-        RunRateSource = runRateSource;
         TopSpeedRule = topSpeedRule;
         SetStats(stats);
     }
 
     /// <summary>The character's numbers.</summary>
     public CharacterStats Stats { get; private set; }
-
-    /// <summary>Who works out the run rate.</summary>
-    public RunRateSource RunRateSource { get; }
 
     /// <summary>From which run skill on the top speed holds.</summary>
     public TopSpeedRule TopSpeedRule { get; }
@@ -74,8 +58,8 @@ public sealed class PlayerWeenie : IWeenieObj
     /// <remarks>Retail: CACQualities::InqRunRate @0x00592800.</remarks>
     public bool InqRunRate(out float rate)
     {
-        rate = RunRateSource == RunRateSource.OwnSkill ? Stats.RunRate(TopSpeedRule) : 0f;
-        return RunRateSource == RunRateSource.OwnSkill;
+        rate = Stats.RunRate(TopSpeedRule);
+        return true;
     }
 
     /// <inheritdoc/>

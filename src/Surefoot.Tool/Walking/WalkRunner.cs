@@ -1,13 +1,16 @@
 using System.Numerics;
 using Surefoot.Client;
 using Surefoot.Physics;
+using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.World;
+using Surefoot.Protocol.Messages;
+using Surefoot.Server;
 
 namespace Surefoot.Tool.Walking;
 
 /// <summary>Walks a script: hands on the keys, a server that answers, the world ticking at retail's rate.</summary>
-internal sealed class WalkRunner : IMovementSink
+internal sealed class WalkRunner : IMovementObserver
 {
     /// <summary>Seconds between two looks at the keys: a frame of 60 a second.</summary>
     private const double Frame = 1.0 / 60;
@@ -27,7 +30,8 @@ internal sealed class WalkRunner : IMovementSink
     /// <param name="script">The same as text, for the result.</param>
     /// <param name="latency">Seconds until the server answers.</param>
     /// <exception cref="UsageException">There is no room for a body at the place.</exception>
-    internal static WalkResult Run(WalkScene scene, ScenePlace place, CharacterStats stats, IReadOnlyList<WalkLeg> legs, string script, double latency)
+    internal static WalkResult Run(
+        WalkScene scene, ScenePlace place, CharacterStats stats, IReadOnlyList<WalkLeg> legs, string script, double latency)
     {
         WalkRunner runner = new();
         runner.RunLegs(scene, place, stats, legs, latency);
@@ -40,9 +44,11 @@ internal sealed class WalkRunner : IMovementSink
         PhysicsEngine engine = new(scene.World);
         engine.Tick(1.0);
         LocalPlayer player = LocalPlayer.Spawn(
-            engine, WalkScene.PlayerId, scene.PlayerSetup, scene.PlayerMotions, place.Position, stats, new LocalPlayerOptions { Latency = latency, Observer = this })
+            engine, WalkScene.PlayerId, scene.PlayerSetup, scene.PlayerMotions, place.Position,
+            new LoopbackServer(WalkScene.PlayerId, stats, engine.Now, latency), new LocalPlayerOptions { Observer = this })
             ?? throw new UsageException($"There is no room for a body at {place.Name}.");
-        if (!player.Body.HasCell) throw new UsageException($"{place.Name} is in no room: the metres lie outside the rooms around 0x{place.Position.CellId:X8}.");
+        if (!player.Body.HasCell)
+            throw new UsageException($"{place.Name} is in no room: the metres lie outside the rooms around 0x{place.Position.CellId:X8}.");
         engine.Player = player.Body;
 
         double now = 1.0;
@@ -89,7 +95,8 @@ internal sealed class WalkRunner : IMovementSink
             Say(now, stood ? FormattableString.Invariant($"stands at z {player.Body.Position.Frame.Origin.Z:0.00} m") : "leaves the ground");
         }
 
-        if (CellIds.BlockOf(player.Body.Position.CellId) != CellIds.BlockOf(cell)) Say(now, $"enters landblock 0x{player.Body.Position.CellId >> 16:X4}");
+        if (CellIds.BlockOf(player.Body.Position.CellId) != CellIds.BlockOf(cell))
+            Say(now, $"enters landblock 0x{player.Body.Position.CellId >> 16:X4}");
         cell = player.Body.Position.CellId;
         if (player.Controller.LastRefusal != refusedBefore && player.Controller.LastRefusal != MotionError.None)
             Say(now, $"may not jump: {player.Controller.LastRefusal}");
@@ -102,11 +109,22 @@ internal sealed class WalkRunner : IMovementSink
         if (time >= 0 && (events.Count == 0 || events[^1].What != what)) events.Add(new WalkEvent(time, what));
     }
 
-    void IMovementSink.OnMoveToState(in MoveToStateEvent e) =>
-        Say(e.Time, FormattableString.Invariant($"sends MoveToState: {e.State.ForwardCommand} at {e.State.ForwardSpeed:0.##}, hold key {e.State.CurrentHoldKey}"));
+    void IMovementObserver.OnMoveToState(in MoveToState message, double now)
+    {
+        WireRawMotion asked = message.Motion;
+        Say(now, FormattableString.Invariant(
+            $"sends MoveToState: {(MotionCommand)asked.ForwardCommand} at {asked.ForwardSpeed:0.##}, hold key {(HoldKey)asked.CurrentHoldKey}"));
+    }
 
-    void IMovementSink.OnJump(in JumpEvent e) =>
-        Say(e.Time, FormattableString.Invariant($"sends Jump: extent {e.Extent:0.000}, velocity ({e.Velocity.X:0.00}, {e.Velocity.Y:0.00}, {e.Velocity.Z:0.00}) m/s"));
+    void IMovementObserver.OnJump(in Jump message, double now)
+    {
+        Vector3 v = message.Velocity;
+        Say(now, FormattableString.Invariant($"sends Jump: extent {message.Extent:0.000}, velocity ({v.X:0.00}, {v.Y:0.00}, {v.Z:0.00}) m/s"));
+    }
 
-    void IMovementSink.OnAutonomousPosition(in AutonomousPositionEvent e) => Say(e.Time, $"sends AutonomousPosition: {e.Position}");
+    void IMovementObserver.OnAutonomousPosition(in AutonomousPosition message, double now)
+    {
+        WirePosition place = message.Position;
+        Say(now, $"sends AutonomousPosition: {new Position(place.Cell, new Frame(place.Origin, place.Orientation))}");
+    }
 }

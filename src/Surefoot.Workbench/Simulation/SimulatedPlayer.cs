@@ -3,12 +3,14 @@ using Surefoot.Client;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.World;
+using Surefoot.Protocol.Messages;
+using Surefoot.Server;
 using Surefoot.Workbench.Wire;
 
 namespace Surefoot.Workbench.Simulation;
 
 /// <summary>A page's player in the physics: keys go to its controller, what the page shows is read off its body.</summary>
-internal sealed class SimulatedPlayer : IWorkbenchPlayer, IMovementSink
+internal sealed class SimulatedPlayer(LoopbackServer server) : IWorkbenchPlayer, IMovementObserver
 {
     /// <summary>Strength of every player; its capacity is what the burden slider is measured against.</summary>
     public const int Strength = 100;
@@ -111,16 +113,13 @@ internal sealed class SimulatedPlayer : IWorkbenchPlayer, IMovementSink
     }
 
     /// <inheritdoc/>
-    public void Configure(PlayerSettings settings, double now) => Player.Server.SetStats(StatsOf(settings), now);
+    public void Configure(PlayerSettings settings, double now) => server.SetStats(StatsOf(settings), now);
 
     /// <inheritdoc/>
     public void Goto(WorkbenchPlace place, double now)
     {
         world?.LoadAround(place.CellId, 1);
-        PlacementRequest request = new(PositionOf(place), PlacementFlags.Placement | PlacementFlags.Teleport | PlacementFlags.Slide);
-        if (Player.Body.SetPosition(request) != PlacementResult.OK) return;
-        Player.Body.TeleportHook();
-        Player.Controller.OnTeleported(now);
+        if (Player.Teleport(PositionOf(place), now) != PlacementResult.OK) return;
         teleports++;
         speed.Reset();
         Observe(now);
@@ -196,15 +195,7 @@ internal sealed class SimulatedPlayer : IWorkbenchPlayer, IMovementSink
         foreach ((Touch touch, _) in recent) touches.Add(touch);
     }
 
-    void IMovementSink.OnJump(in JumpEvent e) => Happen(new PlayerEvent(PlayerEventKind.Jumped, e.Time, e.Extent));
-
-    void IMovementSink.OnMoveToState(in MoveToStateEvent e)
-    {
-    }
-
-    void IMovementSink.OnAutonomousPosition(in AutonomousPositionEvent e)
-    {
-    }
+    void IMovementObserver.OnJump(in Jump message, double now) => Happen(new PlayerEvent(PlayerEventKind.Jumped, now, message.Extent));
 
     private static MovementKeys Translate(PlayerKeys held)
     {

@@ -9,6 +9,7 @@ using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.World;
+using Surefoot.Server;
 
 namespace Surefoot.Workbench.Simulation;
 
@@ -77,10 +78,10 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     public IWorkbenchPlayer Join(uint id, PlayerSettings settings, WorkbenchPlace place, double now)
     {
         LoadAround(place.CellId, 1);
-        SimulatedPlayer player = new();
-        LocalPlayerOptions options = new() { Latency = ServerLatency, Observer = player };
+        LoopbackServer server = new(id, SimulatedPlayer.StatsOf(settings), engine.Now, ServerLatency);
+        SimulatedPlayer player = new(server);
         LocalPlayer? spawned = LocalPlayer.Spawn(
-            engine, id, human, humanMotions, SimulatedPlayer.PositionOf(place), SimulatedPlayer.StatsOf(settings), options);
+            engine, id, human, humanMotions, SimulatedPlayer.PositionOf(place), server, new LocalPlayerOptions { Observer = player });
         player.Enter(spawned ?? throw new InvalidOperationException($"There is no room for a player at {place.Name}."), this, now);
         players.Add(player);
         return player;

@@ -8,6 +8,7 @@ using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.Tests.World;
 using Surefoot.Physics.World;
+using Surefoot.Server;
 
 namespace Surefoot.Client.Tests.Properties;
 
@@ -92,7 +93,8 @@ internal sealed class Journey
         if (trip.Who != Traveller.Player) return new Journey(trip, world, engine, body, null);
         // A player comes into the world by itself, to the same place.
         engine.RemoveBody(body);
-        LocalPlayer player = LocalPlayer.Spawn(engine, Id, body.Setup!, files.Motions, start, new CharacterStats(trip.RunSkill, trip.JumpSkill))!;
+        LoopbackServer server = new(Id, new CharacterStats(trip.RunSkill, trip.JumpSkill), engine.Now);
+        LocalPlayer player = LocalPlayer.Spawn(engine, Id, body.Setup!, files.Motions, start, server)!;
         engine.Player = player.Body;
         return new Journey(trip, world, engine, player.Body, player);
     }

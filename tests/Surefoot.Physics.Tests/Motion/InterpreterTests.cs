@@ -220,7 +220,6 @@ public class InterpreterTests
         Assert.Throws<ArgumentException>(() => interpreter.MoveToInterpretedState(
             new InterpretedMotionState { ForwardCommand = MotionCommand.RunForward, ForwardSpeed = float.PositiveInfinity }));
         Assert.Throws<ArgumentException>(() => interpreter.Jump(float.NaN));
-        Assert.Throws<ArgumentException>(() => interpreter.AdoptRunRate(0f));
         Assert.Equal((MotionCommand.Ready, MotionCommand.Ready), (interpreter.Raw.ForwardCommand, interpreter.Interpreted.ForwardCommand));
         Assert.False(interpreter.MotionsPending);
     }

@@ -5,13 +5,14 @@ using Surefoot.Dats;
 using Surefoot.DemoWorld;
 using Surefoot.Physics;
 using Surefoot.Protocol.Messages;
+using Surefoot.Server;
 
 namespace Surefoot.Tool.Tests.Docs;
 
 /// <summary>Pins what the libraries offer to those who embed them, as <c>docs/api/*.txt</c>: a change of it is seen in review.</summary>
 public class PublicApiTests
 {
-    public static TheoryData<string> Libraries => ["Surefoot.Dats", "Surefoot.Physics", "Surefoot.Protocol", "Surefoot.Client", "Surefoot.DemoWorld"];
+    public static TheoryData<string> Libraries => ["Surefoot.Dats", "Surefoot.Physics", "Surefoot.Protocol", "Surefoot.Client", "Surefoot.Server", "Surefoot.DemoWorld"];
 
     [Theory, MemberData(nameof(Libraries)), Behaviour("docs.public-api.pinned", "style.md, House rules")]
     public void The_public_surface_is_the_one_on_record(string library)
@@ -35,6 +36,7 @@ public class PublicApiTests
         "Surefoot.Physics" => typeof(PhysicsEngine).Assembly,
         "Surefoot.Protocol" => typeof(WireMessage).Assembly,
         "Surefoot.Client" => typeof(LocalPlayer).Assembly,
+        "Surefoot.Server" => typeof(LoopbackServer).Assembly,
         _ => typeof(DemoPlaces).Assembly,
     };
 }

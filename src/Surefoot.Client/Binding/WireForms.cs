@@ -1,0 +1,71 @@
+using Surefoot.Physics.Motion;
+using Surefoot.Physics.World;
+using Surefoot.Protocol.Messages;
+using WireAction = Surefoot.Protocol.Messages.MotionAction;
+
+namespace Surefoot.Client;
+
+/// <summary>States and places of the physics in the form in which they travel, and back.</summary>
+internal static class WireForms
+{
+    /// <summary>A place.</summary>
+    public static WirePosition Of(in Position position) => new(position.CellId, position.Frame.Origin, position.Frame.Rotation);
+
+    /// <summary>What is asked of a body, with the actions that wait, of which the wire takes 31.</summary>
+    public static WireRawMotion Of(RawMotionState state)
+    {
+        Span<WireAction> actions = stackalloc WireAction[Math.Min(state.ActionCount, MotionActions.Most)];
+        for (int i = 0; i < actions.Length; i++)
+        {
+            Physics.Motion.MotionAction action = state.GetAction(i);
+            actions[i] = new WireAction((ushort)action.Command, (ushort)(action.Stamp & 0x7FFF), action.Autonomous, action.Speed);
+        }
+
+        return new WireRawMotion(
+            (uint)state.CurrentHoldKey, (uint)state.CurrentStyle,
+            (uint)state.ForwardCommand, (uint)state.ForwardHoldKey, state.ForwardSpeed,
+            (uint)state.SidestepCommand, (uint)state.SidestepHoldKey, state.SidestepSpeed,
+            (uint)state.TurnCommand, (uint)state.TurnHoldKey, state.TurnSpeed, new MotionActions(actions));
+    }
+
+    /// <summary>Reads what a body does.</summary>
+    /// <param name="motion">What came.</param>
+    /// <param name="commands">The numbering of the server's commands.</param>
+    /// <param name="state">Becomes that state; whatever it was before.</param>
+    /// <returns>False when a command has no name or a speed is not finite.</returns>
+    public static bool TryRead(in WireInterpretedMotion motion, CommandTable commands, InterpretedMotionState state)
+    {
+        state.Reset();
+        if (!TryName(motion.Style, out MotionCommand style) || !TryName(motion.ForwardCommand, out MotionCommand forward) ||
+            !TryNameOrNone(motion.SidestepCommand, out MotionCommand sidestep) ||
+            !TryNameOrNone(motion.TurnCommand, out MotionCommand turn) ||
+            !float.IsFinite(motion.ForwardSpeed) || !float.IsFinite(motion.SidestepSpeed) || !float.IsFinite(motion.TurnSpeed))
+            return false;
+
+        state.CurrentStyle = style;
+        (state.ForwardCommand, state.ForwardSpeed) = (forward, motion.ForwardSpeed);
+        (state.SidestepCommand, state.SidestepSpeed) = (sidestep, motion.SidestepSpeed);
+        (state.TurnCommand, state.TurnSpeed) = (turn, motion.TurnSpeed);
+        foreach (WireAction action in motion.Actions.Span)
+        {
+            if (!TryName(action.Command, out MotionCommand command) || !float.IsFinite(action.Speed)) return false;
+            state.AddAction(new Physics.Motion.MotionAction(command, action.Speed, action.Stamp, action.Autonomous));
+        }
+
+        return true;
+
+        // Left out, it is none; 0 names a style that there is not.
+        bool TryNameOrNone(ushort lowWord, out MotionCommand command)
+        {
+            command = MotionCommand.None;
+            return lowWord == 0 || TryName(lowWord, out command);
+        }
+
+        bool TryName(ushort lowWord, out MotionCommand command)
+        {
+            bool found = commands.TryGetCommand(lowWord, out uint id);
+            command = (MotionCommand)id;
+            return found;
+        }
+    }
+}

@@ -1,0 +1,81 @@
+using System.Numerics;
+using Surefoot.Physics;
+using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Motion;
+using Surefoot.Physics.Tests.Motion;
+using Surefoot.Physics.Tests.Transitions;
+using Surefoot.Physics.World;
+using Surefoot.Server;
+
+namespace Surefoot.Client.Tests;
+
+public class LocalPlayerTests
+{
+    [Fact]
+    [Behaviour("player.spawn.knows-its-numbers", "spec/08, 7.3 and 8.6")]
+    public void A_player_knows_its_numbers_when_it_comes_into_the_world()
+    {
+        CharacterStats stats = new(300, 250, Stamina: 80, Strength: 90, Augmentations: 2, Burden: 5000);
+        WalkFixture f = new(stats, latency: 5);
+        Assert.Equal(stats, f.Player.Weenie.Stats);
+        Assert.Equal(stats, f.Player.Character.Stats);
+    }
+
+    [Fact]
+    [Behaviour("player.teleport.is-one-call", "spec/02, 4.17 (local player); spec/08, 4.4, step 5; spec/09b, 9.6")]
+    public void A_teleported_player_stands_still_there_and_tells_it_once()
+    {
+        WalkFixture f = new(new CharacterStats(300, 300));
+        f.Player.Controller.SetAutoRun(true, f.Now);
+        f.Hold(MovementKeys.None, 10);
+        f.Hold(MovementKeys.Jump, 30);
+        f.Hold(MovementKeys.None, 5);
+        Assert.True(f.Body.Velocity.Length() > 10);
+        int sent = f.Sent.Moves.Count;
+
+        Position place = new(StubWorld.CellId, new Vector3(20, 4, 0.005f));
+        Assert.Equal(PlacementResult.OK, f.Player.Teleport(place, f.Now));
+        Assert.Equal((Vector3.Zero, false), (f.Body.Velocity, f.Player.Controller.AutoRun));
+        Assert.Equal(sent + 1, f.Sent.Moves.Count);
+        Assert.Equal(0, Vector3.Distance(place.Frame.Origin, f.Sent.Moves[^1].Message.Position.Origin), 1e-4);
+        Assert.Equal(MotionCommand.Ready, f.Sent.Moves[^1].State.ForwardCommand);
+        f.Hold(MovementKeys.None, 10);
+        Assert.Equal(0, Vector3.Distance(place.Frame.Origin, f.Origin), 1e-4);
+        Assert.True(f.Body.OnWalkable);
+    }
+
+    [Fact]
+    [Behaviour("player.bad-input-changes-nothing", "design, decision 7")]
+    public void Bad_places_and_times_are_refused_and_change_nothing()
+    {
+        WalkFixture f = new(new CharacterStats(300, 300));
+        Vector3 before = f.Origin;
+        Assert.Throws<ArgumentException>(() => f.Player.Teleport(new Position(StubWorld.CellId, new Vector3(float.NaN, 0, 0)), f.Now));
+        Assert.Throws<ArgumentException>(() => f.Player.Teleport(new Position(0, Vector3.One), f.Now));
+        Assert.Throws<ArgumentException>(() => f.Player.Teleport(new Position(StubWorld.CellId, Vector3.One), double.NaN));
+        Assert.Throws<ArgumentException>(() => f.Player.Update(MovementKeys.Forward, double.NaN));
+        Assert.Equal(before, f.Origin);
+        Assert.Empty(f.Sent.Moves);
+    }
+
+    [Fact]
+    [Behaviour("player.messages-allocate-nothing", "design, decision 4")]
+    public void Keys_that_change_each_frame_and_the_answers_to_them_allocate_nothing()
+    {
+        PhysicsEngine engine = new(new StubWorld(_ => StubWorld.Flat(0)));
+        LoopbackServer server = new(1, new CharacterStats(300, 300), 0, latency: 0.1);
+        LocalPlayer player = LocalPlayer.Spawn(engine, 1, WalkFixture.Setup, HumanoidTable.Create(),
+            new Position(StubWorld.CellId, new Vector3(12, 12, 0)), server)!;
+        int frame = 0;
+        Hold(200);
+        long before = GC.GetAllocatedBytesForCurrentThread();
+        Hold(300);
+        Assert.Equal(0, GC.GetAllocatedBytesForCurrentThread() - before);
+
+        void Hold(int frames)
+        {
+            for (int end = frame + frames; frame < end; frame++)
+                player.Update(frame % 2 == 0 ? MovementKeys.TurnLeft : MovementKeys.SidestepRight, frame * WalkFixture.FrameTime);
+        }
+    }
+}
