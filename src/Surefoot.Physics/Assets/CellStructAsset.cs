@@ -1,7 +1,5 @@
 using System.Numerics;
 using Surefoot.Dats.Records;
-using Surefoot.Physics.Transitions;
-using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Assets;
 
@@ -61,16 +59,6 @@ public sealed class CellStructAsset
             RecordFlattener.CellTree(record.CellTree),
             flattener.Polygons(portals, vertices, "portal"),
             [.. portals.Select(p => p.Key)]);
-    }
-
-    /// <summary>Tests the check position against a room of this shape, or pushes a body out of its walls when it is put there.</summary>
-    /// <param name="transition">The transition.</param>
-    /// <param name="cell">Where the room is.</param>
-    /// <remarks>Retail: the tree's part of CEnvCell::find_env_collisions @0x0052C130.</remarks>
-    internal TransitionState FindCollisions(Transition transition, in Position cell)
-    {
-        transition.Path.CacheLocalSpaceSpheres(cell, 1f);
-        return transition.Path.InsertType == InsertType.InitialPlacement ? Physics.PlacementInsert(transition) : Physics.FindCollisions(transition, 1f);
     }
 }
 

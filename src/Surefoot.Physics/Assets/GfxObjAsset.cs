@@ -1,8 +1,6 @@
 using System.Numerics;
 using Surefoot.Dats.Records;
 using Surefoot.Physics.Geometry;
-using Surefoot.Physics.Transitions;
-using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Assets;
 
@@ -52,24 +50,5 @@ public sealed class GfxObjAsset
             DrawingSphere = record.DrawingTree is { } drawing ? new Sphere(drawing.Nodes[0].Sphere.Centre, drawing.Nodes[0].Sphere.Radius) : null,
             Always2D = always2D,
         };
-    }
-
-    /// <summary>Tests the check position against this mesh as a part of an object or building.</summary>
-    /// <param name="transition">The transition.</param>
-    /// <param name="part">Where the part is.</param>
-    /// <param name="scale">The part's scale along z, the only one that counts.</param>
-    /// <remarks>Retail: CPhysicsPart::find_obj_collisions @0x0050D8D0, CGfxObj::find_obj_collisions @0x00534700.</remarks>
-    internal TransitionState FindCollisions(Transition transition, in Position part, float scale)
-    {
-        if (Physics is not { } tree) return TransitionState.OK;
-        SpherePath path = transition.Path;
-        path.CacheLocalSpaceSpheres(part, scale);
-        for (int i = 0; i < path.SphereCount; i++)
-        {
-            if (!CollisionPrimitives.SpheresIntersect(tree.Bounds, path.LocalSpaceSpheres[i])) continue;
-            return path.InsertType == InsertType.InitialPlacement ? tree.PlacementInsert(transition) : tree.FindCollisions(transition, scale);
-        }
-
-        return TransitionState.OK;
     }
 }

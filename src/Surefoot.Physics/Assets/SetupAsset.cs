@@ -2,7 +2,6 @@ using System.Numerics;
 using Surefoot.Dats.Records;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
-using Surefoot.Physics.Transitions;
 using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Assets;
@@ -16,13 +15,10 @@ public readonly record struct SetupPart(GfxObjAsset Mesh, Vector3 DefaultScale);
 /// <remarks>Retail: CSetup; specification 06.</remarks>
 public sealed class SetupAsset
 {
-    private const double FarMargin = 0.1;
-
     private readonly SetupPart[] parts = [];
     private readonly Sphere[] spheres = [];
     private readonly CylSphere[] cylinders = [];
     private readonly Dictionary<uint, Frame[]> placements = [];
-    private readonly double spheresReach;
     private Frame[] defaultPlacement = [];
     private Frame[]? resting;
 
@@ -47,9 +43,12 @@ public sealed class SetupAsset
         init
         {
             spheres = value.ToArray();
-            foreach (ref readonly Sphere sphere in value) spheresReach = Math.Max(spheresReach, RetailMath.Length(sphere.Center) + Math.Abs(sphere.Radius));
+            foreach (ref readonly Sphere sphere in value) SpheresReach = Math.Max(SpheresReach, RetailMath.Length(sphere.Center) + Math.Abs(sphere.Radius));
         }
     }
+
+    /// <summary>No sphere reaches further than this from the object's origin, metres.</summary>
+    internal double SpheresReach { get; private init; }
 
     /// <summary>Collision cylinders in the object's frame.</summary>
     public ReadOnlySpan<CylSphere> Cylinders
@@ -164,64 +163,6 @@ public sealed class SetupAsset
         Frame scaled = pose;
         scaled.Origin = RetailMath.Scale(pose.Origin, scale);
         return new Position(target.CellId, Frame.Combine(target.Frame, scaled));
-    }
-
-    /// <summary>
-    /// Tests the check position against an object of this setup: its parts' trees if its state word says so, else its cylinders, else its spheres; the first
-    /// answer other than OK counts.
-    /// </summary>
-    /// <param name="transition">The transition.</param>
-    /// <param name="target">The object.</param>
-    /// <param name="creature">It is a creature or a missile: its spheres are not a floor.</param>
-    /// <remarks>Retail: the shapes of CPhysicsObj::FindObjCollisions @0x0050F050, CPartArray::FindObjCollisions.</remarks>
-    internal TransitionState FindCollisions(Transition transition, WorldObject target, bool creature)
-    {
-        Position position = target.Position;
-        float scale = target.Scale;
-        if (target.State.Has(PhysicsState.HasPhysicsBsp))
-        {
-            int count = target.PlacedPartCount;
-            for (int i = 0; i < count; i++)
-            {
-                GfxObjAsset mesh = parts[i].Mesh;
-                if (mesh.Physics is null) continue;
-                float partScale = (float)((double)parts[i].DefaultScale.Z * scale);
-                if (IsFarAway(transition.Path, position.CellId, target.PartOrigin(i), Math.Abs((double)partScale) * (mesh.PhysicsReach + FarMargin))) continue;
-                TransitionState state = mesh.FindCollisions(transition, new Position(position.CellId, target.PartFrame(i)), partScale);
-                if (state != TransitionState.OK) return state;
-            }
-
-            return TransitionState.OK;
-        }
-
-        foreach (ref readonly CylSphere cylinder in cylinders.AsSpan())
-        {
-            TransitionState state = CylinderCollision.IntersectsSphere(transition, position, scale, cylinder);
-            if (state != TransitionState.OK) return state;
-        }
-
-        if (cylinders.Length > 0 || IsFarAway(transition.Path, position.CellId, position.Frame.Origin, Math.Abs((double)scale) * spheresReach))
-            return TransitionState.OK;
-        foreach (ref readonly Sphere sphere in spheres.AsSpan())
-        {
-            TransitionState state = SphereCollision.IntersectsSphere(transition, position, scale, sphere, creature);
-            if (state != TransitionState.OK) return state;
-        }
-
-        return TransitionState.OK;
-    }
-
-    /// <summary>
-    /// True when the body is so far from a point that nothing within <paramref name="reach"/> metres of it is touched, however what is there is turned; saves
-    /// turning it. Never true where retail's own test would not end in OK: a tenth of a metre, in either frame, covers the roundings.
-    /// </summary>
-    private static bool IsFarAway(SpherePath path, uint cellId, in Vector3 point, double reach)
-    {
-        Vector3 origin = point + CellIds.BlockOffset(path.CheckPos.CellId, cellId);
-        // From the position, not from the global spheres: those do not see a turn of the position under test, the part's test does.
-        double limit = reach + FarMargin + path.LocalReach;
-        // False, so that nothing is skipped, when a scale is NaN.
-        return RetailMath.LengthSquared(path.CheckPos.Frame.Origin - origin) > limit * limit;
     }
 
     /// <summary>Adds a way of putting the object down, while the asset is being built; the first of two with one number counts.</summary>

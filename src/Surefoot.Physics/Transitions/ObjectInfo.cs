@@ -1,20 +1,16 @@
 using System.Numerics;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
-using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Transitions;
 
 /// <summary>
-/// The mover as the transition sees it, and its rule for touching terrain. What a sweep needs of a body is copied when it begins; the body itself is neither read
+/// The mover as the transition sees it. What a sweep needs of a body is copied when it begins; the body itself is neither read
 /// nor written until the sweep is over.
 /// </summary>
 /// <remarks>Retail: OBJECTINFO.</remarks>
 public sealed class ObjectInfo
 {
-    /// <summary>Lowest value of the step-down interpolation that is still footing.</summary>
-    private const float InterpFloor = -0.1f;
-
     /// <summary>Whose sweep it is, so that nobody runs into himself; null before a transition was given one.</summary>
     public WorldObject? Mover { get; private set; }
 
@@ -83,83 +79,4 @@ public sealed class ObjectInfo
     /// <summary>A plane that can be walked on, by its unit normal.</summary>
     /// <remarks>Retail: OBJECTINFO::is_valid_walkable @0x0050CF10.</remarks>
     public static bool IsValidWalkable(in Vector3 normal) => normal.Z >= RetailMath.FloorZ;
-
-    /// <summary>
-    /// The terrain's answer to sphere 0: the lowest point of the sphere is tested against the plane, both in the block frame of
-    /// <paramref name="cellId"/>; the check position is lifted out of the ground directly.
-    /// </summary>
-    /// <param name="transition">The transition whose check position is tested.</param>
-    /// <param name="sphere">Sphere 0 at the check position.</param>
-    /// <param name="plane">Plane of the terrain triangle.</param>
-    /// <param name="isWater">The cell is water.</param>
-    /// <param name="waterDepth">How deep a body sinks in here, metres.</param>
-    /// <param name="cellId">Cell whose block frame the sphere and the plane are in.</param>
-    /// <remarks>Retail: OBJECTINFO::validate_walkable @0x0050D010.</remarks>
-    internal TransitionState ValidateWalkable(
-        Transition transition, in Sphere sphere, in Plane plane, bool isWater, float waterDepth, uint cellId)
-    {
-        SpherePath path = transition.Path;
-        CollisionInfo collision = transition.Collision;
-        if (Has(MoverFlags.IsViewer)) return ValidateViewer(path, collision, sphere, plane);
-
-        Vector3 low = sphere.Center;
-        double distance = ((double)plane.Normal.X * low.X) + ((double)plane.Normal.Y * low.Y) +
-                          (plane.Normal.Z * ((double)low.Z - sphere.Radius)) + plane.D + waterDepth;
-        if (distance > RetailMath.Epsilon) return TransitionState.OK;
-
-        bool mayStand = path.StepDown || !Has(MoverFlags.OnWalkable) || IsValidWalkable(plane.Normal);
-        TransitionState state = TransitionState.OK;
-        if (distance >= -RetailMath.Epsilon)
-        {
-            if (mayStand) collision.SetContactPlane(plane, isWater, cellId);
-        }
-        else
-        {
-            if (path.CheckWalkable) return TransitionState.Collided;
-            float depth = (float)(distance / plane.Normal.Z);
-            if (mayStand)
-            {
-                collision.SetContactPlane(plane, isWater, cellId);
-                if (path.StepDown)
-                {
-                    double interp = UsedInterp(path.WalkInterp, path.StepDownAmount, depth);
-                    if (interp >= path.WalkInterp || interp < InterpFloor) return TransitionState.Collided;
-                    path.WalkInterp = (float)interp;
-                }
-
-                path.AddOffsetToCheckPos(new Vector3(0, 0, -depth));
-                state = TransitionState.Adjusted;
-            }
-        }
-
-        if (!Has(MoverFlags.Contact) && !path.StepDown)
-        {
-            collision.SetCollisionNormal(plane.Normal);
-            collision.CollidedWithEnvironment = true;
-        }
-
-        return state;
-    }
-
-    /// <summary>
-    /// What is left of a downward probe after it found footing. Retail's formula divides by the present value; at exactly 0,
-    /// where that is 0 times infinity, its continuation is used.
-    /// </summary>
-    private static double UsedInterp(double interp, double amount, double depth) =>
-        interp == 0 ? depth / amount : (1.0 - ((-1.0 / (amount * interp)) * depth)) * interp;
-
-    /// <summary>The camera stops where its sphere touches the ground instead of standing on it.</summary>
-    private static TransitionState ValidateViewer(SpherePath path, CollisionInfo collision, in Sphere sphere, in Plane plane)
-    {
-        double distance = RetailMath.Distance(plane, sphere.Center) - sphere.Radius;
-        if (distance > -RetailMath.Epsilon) return TransitionState.OK;
-        Vector3 movement = sphere.Center - path.GlobalCurrCenters[0];
-        double t = (float)distance / RetailMath.Dot(movement, plane.Normal);
-        bool beganIndoors = path.HasBegin && !CellIds.IsOutdoor(path.BeginPos.CellId);
-        if ((t <= 0 || t > 1) && beganIndoors) return TransitionState.OK;
-        path.AddOffsetToCheckPos(RetailMath.Scale(movement, -t));
-        collision.SetCollisionNormal(plane.Normal);
-        collision.CollidedWithEnvironment = true;
-        return TransitionState.Adjusted;
-    }
 }

@@ -1,4 +1,5 @@
 using Surefoot.Physics.Geometry;
+using Surefoot.Physics.Transitions.Obstacles;
 
 namespace Surefoot.Physics.Transitions;
 

@@ -1,4 +1,3 @@
-using Surefoot.Physics.Assets;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Transitions;
 
@@ -21,19 +20,6 @@ public sealed class BuildingObject
 
     /// <summary>Its ways in.</summary>
     public ReadOnlySpan<BuildingPortal> Portals => portals;
-
-    /// <summary>Tests the first part of the shell, the only one that can be hit. A body that reaches into a room may have its centre inside the shell's solid.</summary>
-    /// <remarks>Retail: CBuildingObj::find_building_collisions @0x006B5300.</remarks>
-    internal TransitionState FindBuildingCollisions(Transition transition)
-    {
-        if (Shell.PlacedPartCount == 0) return TransitionState.OK;
-        SetupPart part = Shell.Setup!.Parts[0];
-        transition.Path.BuildingCheck = true;
-        TransitionState state = part.Mesh.FindCollisions(transition, new Position(Shell.Position.CellId, Shell.PartFrame(0)), part.DefaultScale.Z);
-        transition.Path.BuildingCheck = false;
-        if (state != TransitionState.OK && !transition.Object.Has(MoverFlags.Contact)) transition.Collision.CollidedWithEnvironment = true;
-        return state;
-    }
 
     /// <remarks>Retail: CBuildingObj::find_building_transit_cells @0x006B5230.</remarks>
     internal void FindTransitCells(ICellWorld world, ReadOnlySpan<Sphere> spheres, CellArray array, SpherePath? path)

@@ -2,6 +2,7 @@ using System.Numerics;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Transitions;
+using Surefoot.Physics.Transitions.Obstacles;
 
 namespace Surefoot.Physics.World;
 
@@ -93,8 +94,8 @@ public sealed class LandCell : ObjCell
 
         Sphere foot = path.GlobalSpheres[0];
         foot.Center -= offset;
-        return transition.Object.ValidateWalkable(
-            transition, foot, terrain.PlaneOf(triangle), Water != WaterType.None, terrain.WaterDepth(index, low), Id);
+        return transition.ValidateWalkable(
+            foot, terrain.PlaneOf(triangle), Water != WaterType.None, terrain.WaterDepth(index, low), Id);
     }
 
     /// <summary>A block that is water all over stops everything but the camera and missiles.</summary>

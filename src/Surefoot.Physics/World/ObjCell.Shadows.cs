@@ -1,5 +1,6 @@
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Transitions;
+using Surefoot.Physics.Transitions.Obstacles;
 
 namespace Surefoot.Physics.World;
 

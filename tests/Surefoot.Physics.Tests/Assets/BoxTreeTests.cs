@@ -2,6 +2,7 @@ using System.Numerics;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Transitions;
+using Surefoot.Physics.Transitions.Obstacles;
 
 namespace Surefoot.Physics.Tests.Assets;
 

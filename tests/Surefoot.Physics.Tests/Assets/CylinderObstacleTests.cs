@@ -1,7 +1,7 @@
 using System.Numerics;
-using Surefoot.Physics.Assets;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Transitions;
+using Surefoot.Physics.Transitions.Obstacles;
 
 namespace Surefoot.Physics.Tests.Assets;
 
@@ -147,7 +147,7 @@ public class CylinderObstacleTests
     {
         Mover mover = Walker(new(currX, currY, currZ), new(x, y, z));
         float radiusSum = (float)(0.5f - (double)RetailMath.Epsilon + 0.48f);
-        Assert.Equal(definite, CylinderCollision.NormalOfCollision(mover.Path, Cylinder, new(x, y, z), radiusSum, 0, out Vector3 normal));
+        Assert.Equal(definite, CylinderObstacle.NormalOfCollision(mover.Path, Cylinder, new(x, y, z), radiusSum, 0, out Vector3 normal));
         Assert.Equal(new Vector3(nx, ny, nz), normal);
     }
 

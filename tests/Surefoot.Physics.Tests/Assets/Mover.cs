@@ -4,6 +4,7 @@ using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Tests.Transitions;
 using Surefoot.Physics.Transitions;
+using Surefoot.Physics.Transitions.Obstacles;
 using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Tests.Assets;
@@ -91,8 +92,8 @@ internal sealed class Mover
         return Path.InsertType == InsertType.InitialPlacement ? tree.PlacementInsert(Transition) : tree.FindCollisions(Transition, scale);
     }
 
-    internal TransitionState Ask(Sphere obstacle, bool creature = false) => SphereCollision.IntersectsSphere(Transition, obstacle, creature);
+    internal TransitionState Ask(Sphere obstacle, bool creature = false) => BallObstacle.IntersectsSphere(Transition, obstacle, creature);
 
     internal TransitionState Ask(CylSphere obstacle, Frame? at = null) =>
-        CylinderCollision.IntersectsSphere(Transition, new Position(CellId, at ?? Frame.Identity), 1, obstacle);
+        CylinderObstacle.IntersectsSphere(Transition, new Position(CellId, at ?? Frame.Identity), 1, obstacle);
 }

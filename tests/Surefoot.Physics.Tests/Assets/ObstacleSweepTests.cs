@@ -4,6 +4,7 @@ using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Tests.Transitions;
 using Surefoot.Physics.Transitions;
+using Surefoot.Physics.Transitions.Obstacles;
 using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Tests.Assets;
@@ -36,9 +37,9 @@ public class ObstacleSweepTests
     }
 
     private static Func<Transition, TransitionState> Ball(Vector3 center, bool creature = false) =>
-        t => SphereCollision.IntersectsSphere(t, new Sphere(center, 0.5f), creature);
+        t => BallObstacle.IntersectsSphere(t, new Sphere(center, 0.5f), creature);
 
-    private static Func<Transition, TransitionState> Pillar(float height, Quaternion? turn = null) => t => CylinderCollision.IntersectsSphere(
+    private static Func<Transition, TransitionState> Pillar(float height, Quaternion? turn = null) => t => CylinderObstacle.IntersectsSphere(
         t, new Position(StubWorld.CellId, new Frame(new(1.2f, 0, 0), turn ?? Quaternion.Identity)), 1, new CylSphere(Vector3.Zero, 0.5f, height));
 
     private static Transition Run(

@@ -6,6 +6,7 @@ using Surefoot.Physics.Motion;
 using Surefoot.Physics.Tests.Assets;
 using Surefoot.Physics.Tests.Transitions;
 using Surefoot.Physics.Transitions;
+using Surefoot.Physics.Transitions.Obstacles;
 using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Tests.Bodies;

@@ -1,6 +1,7 @@
 using System.Numerics;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Transitions;
+using Surefoot.Physics.Transitions.Obstacles;
 using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Tests.Transitions;
@@ -101,7 +102,7 @@ public class ContactTests
             t.Path.CheckWalkable = row.Check;
             t.Path.StepDownAmount = 0.6f;
             t.Path.WalkInterp = row.Interp;
-            TransitionState state = t.Object.ValidateWalkable(t, t.Path.GlobalSpheres[0], row.Plane, false, row.Water, Cell);
+            TransitionState state = t.ValidateWalkable(t.Path.GlobalSpheres[0], row.Plane, false, row.Water, Cell);
             float moved = t.Path.CheckPos.Frame.Origin.Z - row.Cz;
             Assert.Equal((row.Row, row.Result), (row.Row, state));
             Assert.True(Math.Abs(row.Moved - moved) < 1e-7, $"row {row.Row}: moved {moved:R}, expected {row.Moved:R}");
@@ -120,7 +121,7 @@ public class ContactTests
         float x, float y, float z, float cx, float cy, float cz, uint beginCell, TransitionState expected, float movedX, float movedZ)
     {
         Transition t = At(new Vector3(x, y, z), new Vector3(cx, cy, cz), MoverFlags.IsViewer, 0.3f, beginCell);
-        Assert.Equal(expected, t.Object.ValidateWalkable(t, t.Path.GlobalSpheres[0], Level, false, 0, Cell));
+        Assert.Equal(expected, t.ValidateWalkable(t.Path.GlobalSpheres[0], Level, false, 0, Cell));
         Vector3 moved = t.Path.CheckPos.Frame.Origin - new Vector3(x, y, z);
         Assert.Equal(movedX, moved.X, 6);
         Assert.Equal(movedZ, moved.Z, 6);

@@ -3,6 +3,7 @@ using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Transitions;
+using Surefoot.Physics.Transitions.Obstacles;
 using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Tests.Transitions;
@@ -114,7 +115,7 @@ internal sealed class StubWorld : ICellWorld
             if (Blocks is { } blocks && blocks(t)) return TransitionState.Collided;
             if (ground(t.Path.GlobalLowPoint) is { } plane)
             {
-                TransitionState state = t.Object.ValidateWalkable(t, t.Path.GlobalSpheres[0], plane, false, 0, CellId);
+                TransitionState state = t.ValidateWalkable(t.Path.GlobalSpheres[0], plane, false, 0, CellId);
                 if (state != TransitionState.OK) return state;
             }
 

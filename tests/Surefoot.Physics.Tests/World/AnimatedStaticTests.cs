@@ -6,6 +6,7 @@ using Surefoot.Physics.Motion;
 using Surefoot.Physics.Tests.Assets;
 using Surefoot.Physics.Tests.Transitions;
 using Surefoot.Physics.Transitions;
+using Surefoot.Physics.Transitions.Obstacles;
 using Surefoot.Physics.World;
 using EnvCellRecord = Surefoot.Dats.Records.EnvCell;
 using StaticObject = Surefoot.Physics.World.StaticObject;

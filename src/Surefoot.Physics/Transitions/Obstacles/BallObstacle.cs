@@ -1,13 +1,12 @@
 using System.Numerics;
 using Surefoot.Physics.Geometry;
-using Surefoot.Physics.Transitions;
 using Surefoot.Physics.World;
 
-namespace Surefoot.Physics.Assets;
+namespace Surefoot.Physics.Transitions.Obstacles;
 
 /// <summary>A sphere as an obstacle: its answer to a transition, in the block frame of the check position.</summary>
 /// <remarks>Retail: CSphere; specification 04, 4.7 and 4.8. The radius of the mover's foot serves for its head as well.</remarks>
-internal static class SphereCollision
+internal static class BallObstacle
 {
     /// <summary>Least share of a probe that may be left after resting on a ball; a double where a polygon's bound is a float.</summary>
     internal const double InterpFloor = -0.1;

@@ -1,19 +1,22 @@
 using System.Numerics;
+using Surefoot.Physics.Assets;
 using Surefoot.Physics.Geometry;
-using Surefoot.Physics.Transitions;
 
-namespace Surefoot.Physics.Assets;
+namespace Surefoot.Physics.Transitions.Obstacles;
 
-/// <content>
-/// The tree's answer to a transition. The path's local-space spheres must have been cached for the mesh or room; answers go back in world axes.
-/// </content>
-public sealed partial class PhysicsBsp
+/// <summary>
+/// The collision tree of a mesh or room as an obstacle: its answer to a transition. The path's local-space spheres must have been cached for the mesh or room;
+/// answers go back in world axes.
+/// </summary>
+/// <remarks>Retail: BSPTREE; specification 04, 4.6.</remarks>
+internal static class BspObstacle
 {
     /// <summary>Tests the check position and answers in the way the path's mode asks for. The order of the modes is load-bearing.</summary>
+    /// <param name="tree">The tree.</param>
     /// <param name="transition">The transition; it is moved and told what was met.</param>
     /// <param name="scale">The mesh's scale, by which the local-space spheres were divided; 1 for rooms.</param>
     /// <remarks>Retail: BSPTREE::find_collisions @0x0053A440.</remarks>
-    internal TransitionState FindCollisions(Transition transition, float scale)
+    internal static TransitionState FindCollisions(this PhysicsBsp tree, Transition transition, float scale)
     {
         SpherePath path = transition.Path;
         Sphere[] spheres = path.LocalSpaceSpheres;
@@ -22,59 +25,59 @@ public sealed partial class PhysicsBsp
         if (path.InsertType == InsertType.Placement || path.ObstructionEthereal)
         {
             bool centerCheck = !path.BuildingCheck || !path.HitsInteriorCell;
-            bool solid = SphereIntersectsSolid(spheres[0], centerCheck) || (two && SphereIntersectsSolid(spheres[1], centerCheck));
+            bool solid = tree.SphereIntersectsSolid(spheres[0], centerCheck) || (two && tree.SphereIntersectsSolid(spheres[1], centerCheck));
             return solid ? TransitionState.Collided : TransitionState.OK;
         }
 
         if (path.CheckWalkable)
-            return HitsWalkable(spheres[0], path.LocalSpaceZ, path.WalkableAllowance) ? TransitionState.Collided : TransitionState.OK;
-        if (path.StepDown) return StepSphereDown(transition, scale);
+            return tree.HitsWalkable(spheres[0], path.LocalSpaceZ, path.WalkableAllowance) ? TransitionState.Collided : TransitionState.OK;
+        if (path.StepDown) return tree.StepSphereDown(transition, scale);
 
         Vector3 movement = spheres[0].Center - path.LocalSpaceCurrCenters[0];
-        if (path.Collide) return RestOnWalkable(transition, movement, scale);
-        if (transition.Object.Has(MoverFlags.Contact)) return Walking(transition, movement, two);
-        return transition.Object.Has(MoverFlags.PathClipped) ? Clipped(transition, movement, scale) : Airborne(transition, movement, two);
+        if (path.Collide) return tree.RestOnWalkable(transition, movement, scale);
+        if (transition.Object.Has(MoverFlags.Contact)) return tree.Walking(transition, movement, two);
+        return transition.Object.Has(MoverFlags.PathClipped) ? tree.Clipped(transition, movement, scale) : tree.Airborne(transition, movement, two);
     }
 
     /// <summary>On the ground: the foot steps up or slides, the head slides; what is overlapped but not run into is answered later.</summary>
-    private TransitionState Walking(Transition transition, in Vector3 movement, bool two)
+    private static TransitionState Walking(this PhysicsBsp tree, Transition transition, in Vector3 movement, bool two)
     {
         SpherePath path = transition.Path;
         PolygonContact foot = default;
-        if (SphereIntersectsPoly(path.LocalSpaceSpheres[0], movement, ref foot)) return StepSphereUp(transition, foot);
+        if (tree.SphereIntersectsPoly(path.LocalSpaceSpheres[0], movement, ref foot)) return tree.StepSphereUp(transition, foot);
         if (!two) return TransitionState.OK;
 
         // The head is asked with the foot's movement.
         PolygonContact head = default;
-        if (SphereIntersectsPoly(path.LocalSpaceSpheres[1], movement, ref head)) return SlideSphere(transition, head);
-        if (head.IsSome) path.SetNegPolyHit(false, GlobalNormal(path, head));
-        else if (foot.IsSome) path.SetNegPolyHit(true, GlobalNormal(path, foot));
+        if (tree.SphereIntersectsPoly(path.LocalSpaceSpheres[1], movement, ref head)) return tree.SlideSphere(transition, head);
+        if (head.IsSome) path.SetNegPolyHit(false, tree.GlobalNormal(path, head));
+        else if (foot.IsSome) path.SetNegPolyHit(true, tree.GlobalNormal(path, foot));
         return TransitionState.OK;
     }
 
     /// <summary>A missile or the camera: sphere 0 only, whichever way the polygon faces.</summary>
-    private TransitionState Clipped(Transition transition, in Vector3 movement, float scale)
+    private static TransitionState Clipped(this PhysicsBsp tree, Transition transition, in Vector3 movement, float scale)
     {
         PolygonContact hit = default;
-        bool met = SphereIntersectsPoly(transition.Path.LocalSpaceSpheres[0], movement, ref hit) || hit.IsSome;
-        return met ? CollideWithPoint(transition, hit, scale) : TransitionState.OK;
+        bool met = tree.SphereIntersectsPoly(transition.Path.LocalSpaceSpheres[0], movement, ref hit) || hit.IsSome;
+        return met ? tree.CollideWithPoint(transition, hit, scale) : TransitionState.OK;
     }
 
     /// <summary>In the air: the foot asks for a landing, the head stops; whichever way the polygon faces.</summary>
-    private TransitionState Airborne(Transition transition, in Vector3 movement, bool two)
+    private static TransitionState Airborne(this PhysicsBsp tree, Transition transition, in Vector3 movement, bool two)
     {
         SpherePath path = transition.Path;
         PolygonContact hit = default;
-        if (SphereIntersectsPoly(path.LocalSpaceSpheres[0], movement, ref hit) || hit.IsSome)
+        if (tree.SphereIntersectsPoly(path.LocalSpaceSpheres[0], movement, ref hit) || hit.IsSome)
         {
-            path.SetCollide(GlobalNormal(path, hit));
+            path.SetCollide(tree.GlobalNormal(path, hit));
             path.WalkableAllowance = RetailMath.LandingZ;
             return TransitionState.Adjusted;
         }
 
-        if (two && (SphereIntersectsPoly(path.LocalSpaceSpheres[1], movement, ref hit) || hit.IsSome))
+        if (two && (tree.SphereIntersectsPoly(path.LocalSpaceSpheres[1], movement, ref hit) || hit.IsSome))
         {
-            transition.Collision.SetCollisionNormal(GlobalNormal(path, hit));
+            transition.Collision.SetCollisionNormal(tree.GlobalNormal(path, hit));
             return TransitionState.Collided;
         }
 
@@ -83,7 +86,7 @@ public sealed partial class PhysicsBsp
 
     /// <summary>Lifts the foot onto what the downward probe reaches.</summary>
     /// <remarks>Retail: BSPTREE::step_sphere_down @0x0053A210.</remarks>
-    internal TransitionState StepSphereDown(Transition transition, float scale)
+    internal static TransitionState StepSphereDown(this PhysicsBsp tree, Transition transition, float scale)
     {
         SpherePath path = transition.Path;
         Vector3 up = path.LocalSpaceZ;
@@ -91,11 +94,11 @@ public sealed partial class PhysicsBsp
         float inverseStored = (float)inverse;
         Vector3 movement = new(
             (float)(inverse * (float)(down * up.X)), (float)((double)(float)(down * up.Y) * inverseStored), (float)(down * up.Z * inverseStored));
-        return RestOnWalkable(transition, movement, scale);
+        return tree.RestOnWalkable(transition, movement, scale);
     }
 
     /// <summary>Rests the foot on walkable polygons that <paramref name="movement"/> runs into; the last one becomes contact plane and walkable.</summary>
-    private TransitionState RestOnWalkable(Transition transition, in Vector3 movement, float scale)
+    private static TransitionState RestOnWalkable(this PhysicsBsp tree, Transition transition, in Vector3 movement, float scale)
     {
         SpherePath path = transition.Path;
         WalkableSearch search = new()
@@ -106,38 +109,38 @@ public sealed partial class PhysicsBsp
             Allowance = path.WalkableAllowance,
             WalkInterp = path.WalkInterp,
         };
-        FindWalkable(ref search);
+        tree.FindWalkable(ref search);
         if (!search.Found) return TransitionState.OK;
 
         path.WalkInterp = search.WalkInterp;
         path.AddOffsetToCheckPos(GlobalOffset(path, search.Sphere.Center - path.LocalSpaceSpheres[0].Center, scale));
-        Plane plane = path.CheckPos.LocalToGlobal(path.LocalSpacePos, Polygons.PlaneOf(search.Polygon));
+        Plane plane = path.CheckPos.LocalToGlobal(path.LocalSpacePos, tree.Polygons.PlaneOf(search.Polygon));
         // The constant was carried over as if unscaled and is scaled now: right only for a part at the origin, and retail's.
         plane.D = (float)((double)plane.D * scale);
         transition.Collision.SetContactPlane(plane, false, path.CheckPos.CellId);
-        path.SetWalkable(search.Sphere, new PolygonRef(Polygons, search.Polygon), path.LocalSpaceZ, path.LocalSpacePos, scale);
+        path.SetWalkable(search.Sphere, new PolygonRef(tree.Polygons, search.Polygon), path.LocalSpaceZ, path.LocalSpacePos, scale);
         return TransitionState.Adjusted;
     }
 
     /// <summary>Onto the obstacle, or along it.</summary>
     /// <remarks>Retail: BSPTREE::step_sphere_up @0x00539F20.</remarks>
-    internal TransitionState StepSphereUp(Transition transition, in PolygonContact hit) =>
-        transition.StepUp(GlobalNormal(transition.Path, hit)) ? TransitionState.OK : transition.StepUpSlide();
+    internal static TransitionState StepSphereUp(this PhysicsBsp tree, Transition transition, in PolygonContact hit) =>
+        transition.StepUp(tree.GlobalNormal(transition.Path, hit)) ? TransitionState.OK : transition.StepUpSlide();
 
     /// <summary>Along the obstacle: sphere 0 slides, also when it was sphere 1 that met it.</summary>
     /// <remarks>Retail: BSPTREE::slide_sphere @0x00539E50.</remarks>
-    internal TransitionState SlideSphere(Transition transition, in PolygonContact hit)
+    internal static TransitionState SlideSphere(this PhysicsBsp tree, Transition transition, in PolygonContact hit)
     {
-        Vector3 normal = GlobalNormal(transition.Path, hit);
+        Vector3 normal = tree.GlobalNormal(transition.Path, hit);
         return transition.SlideSphere(0, ref normal, transition.Path.GlobalCurrCenters[0]);
     }
 
     /// <summary>Stops a clipped mover; one that clips perfectly is put where it touches.</summary>
     /// <remarks>Retail: BSPTREE::collide_with_pt @0x0053A090.</remarks>
-    internal TransitionState CollideWithPoint(Transition transition, in PolygonContact hit, float scale)
+    internal static TransitionState CollideWithPoint(this PhysicsBsp tree, Transition transition, in PolygonContact hit, float scale)
     {
         SpherePath path = transition.Path;
-        Vector3 normal = GlobalNormal(path, hit);
+        Vector3 normal = tree.GlobalNormal(path, hit);
         if (!transition.Object.Has(MoverFlags.PerfectClip))
         {
             transition.Collision.SetCollisionNormal(normal);
@@ -145,7 +148,7 @@ public sealed partial class PhysicsBsp
         }
 
         Sphere touching = path.LocalSpaceSpheres[0];
-        if (!AdjustToPlane(ref touching, path.LocalSpaceCurrCenters[0], hit)) return TransitionState.Collided;
+        if (!tree.AdjustToPlane(ref touching, path.LocalSpaceCurrCenters[0], hit)) return TransitionState.Collided;
         transition.Collision.SetCollisionNormal(normal);
         path.AddOffsetToCheckPos(GlobalOffset(path, touching.Center - path.LocalSpaceSpheres[0].Center, scale));
         return TransitionState.Adjusted;
@@ -156,7 +159,7 @@ public sealed partial class PhysicsBsp
     /// share 15 tries.
     /// </summary>
     /// <remarks>Retail: BSPTREE::adjust_to_plane @0x00539BF0.</remarks>
-    internal bool AdjustToPlane(ref Sphere sphere, in Vector3 curr, PolygonContact hit)
+    internal static bool AdjustToPlane(this PhysicsBsp tree, ref Sphere sphere, in Vector3 curr, PolygonContact hit)
     {
         const int Tries = 15;
         const double Close = 0.02;
@@ -165,10 +168,10 @@ public sealed partial class PhysicsBsp
         int i = 0;
         while (true)
         {
-            double t = Polygons[hit.Polygon].TimeOfTouch(sphere.Radius, curr, movement);
+            double t = tree.Polygons[hit.Polygon].TimeOfTouch(sphere.Radius, curr, movement);
             if (t == 1.0) break;
             sphere.Center = Along(curr, movement, t);
-            if (!SphereIntersectsPoly(sphere, movement, ref hit))
+            if (!tree.SphereIntersectsPoly(sphere, movement, ref hit))
             {
                 low = t;
                 break;
@@ -183,7 +186,7 @@ public sealed partial class PhysicsBsp
         {
             double middle = (low + high) * 0.5;
             sphere.Center = Along(curr, movement, middle);
-            if (SphereIntersectsPoly(sphere, movement, ref hit)) high = middle;
+            if (tree.SphereIntersectsPoly(sphere, movement, ref hit)) high = middle;
             else low = middle;
             if (high - low < Close || ++i >= Tries) break;
         }
@@ -195,7 +198,7 @@ public sealed partial class PhysicsBsp
     /// <summary>Pushes a body that is placed out of the polygons it overlaps.</summary>
     /// <returns>OK when it was free, Adjusted when it was pushed, Collided, unmoved, when 20 tries did not free it.</returns>
     /// <remarks>Retail: BSPTREE::placement_insert @0x00539960.</remarks>
-    internal TransitionState PlacementInsert(Transition transition)
+    internal static TransitionState PlacementInsert(this PhysicsBsp tree, Transition transition)
     {
         const int Tries = 20;
         SpherePath path = transition.Path;
@@ -206,8 +209,8 @@ public sealed partial class PhysicsBsp
         for (int i = 0; i < Tries; i++)
         {
             // The head's question starts with what the foot's left behind.
-            bool centerSolid = false, isFoot = SphereIntersectsSolidPoly(foot, radius, ref centerSolid, ref hit, solidCheck);
-            if (!isFoot && !(two && SphereIntersectsSolidPoly(head, radius, ref centerSolid, ref hit, solidCheck)))
+            bool centerSolid = false, isFoot = tree.SphereIntersectsSolidPoly(foot, radius, ref centerSolid, ref hit, solidCheck);
+            if (!isFoot && !(two && tree.SphereIntersectsSolidPoly(head, radius, ref centerSolid, ref hit, solidCheck)))
             {
                 if (i == 0) return TransitionState.OK;
                 // Not multiplied by the scale, as in retail.
@@ -217,7 +220,7 @@ public sealed partial class PhysicsBsp
 
             if (hit.IsSome)
             {
-                ConvexPolygon polygon = Polygons[hit.Polygon];
+                ConvexPolygon polygon = tree.Polygons[hit.Polygon];
                 if (isFoot) polygon.PushOut(ref foot, ref head, radius, centerSolid, solidCheck);
                 else polygon.PushOut(ref head, ref foot, radius, centerSolid, solidCheck);
                 hit = default;
@@ -235,8 +238,8 @@ public sealed partial class PhysicsBsp
     private static Vector3 Along(in Vector3 curr, in Vector3 movement, double t) => new(
         (float)(movement.X * t) + curr.X, (float)(movement.Y * t) + curr.Y, (float)((movement.Z * t) + curr.Z));
 
-    private Vector3 GlobalNormal(SpherePath path, in PolygonContact hit) =>
-        path.LocalSpacePos.Frame.LocalToGlobalVector(Polygons.PlaneOf(hit.Polygon).Normal);
+    private static Vector3 GlobalNormal(this PhysicsBsp tree, SpherePath path, in PolygonContact hit) =>
+        path.LocalSpacePos.Frame.LocalToGlobalVector(tree.Polygons.PlaneOf(hit.Polygon).Normal);
 
     /// <summary>A displacement of the tree's frame in world axes and metres; stored after turning and again after scaling.</summary>
     private static Vector3 GlobalOffset(SpherePath path, in Vector3 v, float scale) =>

@@ -1,13 +1,12 @@
 using System.Numerics;
 using Surefoot.Physics.Geometry;
-using Surefoot.Physics.Transitions;
 using Surefoot.Physics.World;
 
-namespace Surefoot.Physics.Assets;
+namespace Surefoot.Physics.Transitions.Obstacles;
 
 /// <summary>An upright cylinder as an obstacle: its answer to a transition, in the block frame of the check position.</summary>
 /// <remarks>Retail: CCylSphere; specification 04, 4.9. The radius of the mover's foot serves for its head as well, except for the height.</remarks>
-internal static class CylinderCollision
+internal static class CylinderObstacle
 {
     /// <summary>Tests an object's cylinder. The object's turn moves the cylinder's foot but does not tilt the cylinder.</summary>
     /// <param name="transition">The transition; it is moved and told what was met.</param>
@@ -92,7 +91,7 @@ internal static class CylinderCollision
     {
         SpherePath path = transition.Path;
         Sphere foot = path.GlobalSpheres[0];
-        Vector3 back = SphereCollision.WayBack(path);
+        Vector3 back = BallObstacle.WayBack(path);
         if (Math.Abs(back.Z) < RetailMath.Epsilon) return TransitionState.Collided;
 
         double t = ((double)cylinder.Height + foot.Radius - offset.Z) / back.Z;
@@ -100,7 +99,7 @@ internal static class CylinderCollision
         double x = (double)move.X + offset.X, y = (double)move.Y + offset.Y;
         if ((double)radiusSum * radiusSum < (y * y) + (x * x)) return TransitionState.OK;
         double left = (1 - t) * path.WalkInterp;
-        if (!(left < path.WalkInterp && left >= SphereCollision.InterpFloor)) return TransitionState.Collided;
+        if (!(left < path.WalkInterp && left >= BallObstacle.InterpFloor)) return TransitionState.Collided;
 
         Vector3 low = foot.Center + move;
         low.Z -= foot.Radius;
@@ -134,7 +133,7 @@ internal static class CylinderCollision
         if (Math.Abs(step) < RetailMath.Epsilon) return TransitionState.Collided;
 
         double exact = (double)cylinder.Height + foot.Radius - offset.Z, left = (1 - (exact / step)) * path.WalkInterp;
-        if (!(left < path.WalkInterp && left >= SphereCollision.InterpFloor)) return TransitionState.Collided;
+        if (!(left < path.WalkInterp && left >= BallObstacle.InterpFloor)) return TransitionState.Collided;
 
         float lift = (float)exact;
         Vector3 low = new(foot.Center.X, foot.Center.Y, (float)((double)lift - foot.Radius + foot.Center.Z));

@@ -1,27 +1,27 @@
-using Surefoot.Physics.Transitions;
+using Surefoot.Physics.Bodies;
 
-namespace Surefoot.Physics.Bodies;
+namespace Surefoot.Physics.Transitions.Obstacles;
 
-/// <content>The target's side of a collision: who stops whom.</content>
-public partial class WorldObject
+/// <summary>An object as an obstacle: who stops whom.</summary>
+internal static class ObjectObstacle
 {
-    /// <summary>Tests the spheres of a transition against this object. The caller skips attached objects and the mover itself.</summary>
+    /// <summary>Tests the spheres of a transition against an object. The caller skips attached objects and the mover itself.</summary>
     /// <remarks>Retail: CPhysicsObj::FindObjCollisions @0x0050F050; specification 02, 4.21.</remarks>
-    internal TransitionState FindObjCollisions(Transition transition)
+    internal static TransitionState FindObjCollisions(this WorldObject target, Transition transition)
     {
         ObjectInfo mover = transition.Object;
         SpherePath path = transition.Path;
-        bool ethereal = State.Has(PhysicsState.Ethereal), isStatic = State.Has(PhysicsState.Static);
-        if (ethereal && State.Has(PhysicsState.IgnoreCollisions)) return TransitionState.OK;
-        if (mover.Has(MoverFlags.IsViewer) && (Weenie & WeenieTraits.Creature) != 0) return TransitionState.OK;
+        bool ethereal = target.State.Has(PhysicsState.Ethereal), isStatic = target.State.Has(PhysicsState.Static);
+        if (ethereal && target.State.Has(PhysicsState.IgnoreCollisions)) return TransitionState.OK;
+        if (mover.Has(MoverFlags.IsViewer) && (target.Weenie & WeenieTraits.Creature) != 0) return TransitionState.OK;
 
         bool soft = ethereal || (mover.Ethereal && !isStatic);
         if (soft && path.StepDown) return TransitionState.OK;
         path.ObstructionEthereal = soft;
-        bool creature = State.Has(PhysicsState.Missile) || (Weenie & WeenieTraits.Creature) != 0;
-        TransitionState state = PassesPlayer(mover) || mover.MissileIgnores(this)
+        bool creature = target.State.Has(PhysicsState.Missile) || (target.Weenie & WeenieTraits.Creature) != 0;
+        TransitionState state = PassesPlayer(target, mover) || mover.MissileIgnores(target)
             ? TransitionState.OK
-            : FindShapeCollisions(transition, creature);
+            : target.Setup?.FindCollisions(transition, target, creature) ?? TransitionState.OK;
 
         if (state != TransitionState.OK && !path.StepDown)
         {
@@ -37,7 +37,7 @@ public partial class WorldObject
                     transition.Collision.CollisionNormalValid = false;
                 }
 
-                transition.Collision.AddObject(this, state);
+                transition.Collision.AddObject(target, state);
             }
         }
 
@@ -46,13 +46,9 @@ public partial class WorldObject
     }
 
     /// <summary>Ordinary players pass through each other; killers of the same kind do not, nor do the impenetrable.</summary>
-    private bool PassesPlayer(ObjectInfo mover) =>
-        (Weenie & WeenieTraits.Player) != 0 && (Weenie & WeenieTraits.Impenetrable) == 0 &&
+    private static bool PassesPlayer(WorldObject target, ObjectInfo mover) =>
+        (target.Weenie & WeenieTraits.Player) != 0 && (target.Weenie & WeenieTraits.Impenetrable) == 0 &&
         mover.Has(MoverFlags.IsPlayer) && !mover.Has(MoverFlags.IsImpenetrable) &&
-        !(mover.Has(MoverFlags.IsPK) && (Weenie & WeenieTraits.PK) != 0) &&
-        !(mover.Has(MoverFlags.IsPKLite) && (Weenie & WeenieTraits.PKLite) != 0);
-
-    /// <summary>Exactly one set of shapes is tested: the parts' trees, else cylinders, else spheres.</summary>
-    private TransitionState FindShapeCollisions(Transition transition, bool creature) =>
-        Setup is null ? TransitionState.OK : Setup.FindCollisions(transition, this, creature);
+        !(mover.Has(MoverFlags.IsPK) && (target.Weenie & WeenieTraits.PK) != 0) &&
+        !(mover.Has(MoverFlags.IsPKLite) && (target.Weenie & WeenieTraits.PKLite) != 0);
 }
