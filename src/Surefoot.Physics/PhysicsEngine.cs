@@ -1,6 +1,7 @@
 using System.Numerics;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.Transitions;
@@ -10,7 +11,7 @@ namespace Surefoot.Physics;
 
 /// <summary>
 /// The door: a world and the bodies in it. One thread at a time changes it; while nobody does, any number of threads may ask (<see cref="Resolve"/>,
-/// <see cref="PhysicsBody.Probe(in Position)"/>). Worlds share nothing that is written, so each thread may have its own.
+/// <see cref="PhysicsBody.Probe(in Position, TraceBuffer)"/>). Worlds share nothing that is written, so each thread may have its own.
 /// </summary>
 /// <remarks>Retail: CPhysics.</remarks>
 public sealed class PhysicsEngine
@@ -50,13 +51,6 @@ public sealed class PhysicsEngine
     /// want it on.
     /// </summary>
     public bool RefuseLeavingCells { get; set; }
-
-    /// <summary>Receives each decision of every transition; null, the usual case, costs nothing.</summary>
-    public ITransitionTrace? Trace
-    {
-        get => Transitions.Trace;
-        set => Transitions.Trace = value;
-    }
 
     /// <summary>The work objects of those who change bodies, one thread at a time.</summary>
     internal TransitionPool Transitions { get; }

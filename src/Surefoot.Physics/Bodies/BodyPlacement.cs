@@ -79,7 +79,7 @@ public sealed partial class PhysicsBody
 
     private PlacementResult Place(in PlacementRequest request)
     {
-        if (!engine.Transitions.TryRent(out Transition? transition)) return PlacementResult.GeneralFailure;
+        if (!engine.Transitions.TryRent(out Transition? transition, Trace)) return PlacementResult.GeneralFailure;
         SeedMover(transition, MoverFlags.None);
         PlacementResult result;
         if ((request.Flags & PlacementFlags.RandomScatter) != 0)

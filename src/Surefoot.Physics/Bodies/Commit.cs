@@ -1,4 +1,5 @@
 using System.Numerics;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Transitions;
 using Surefoot.Physics.World;
@@ -18,8 +19,10 @@ public sealed partial class PhysicsBody
     /// Where the body would end if it went from where it is to <paramref name="to"/> in one sweep. Nothing changes, so any number of threads may ask while nobody
     /// changes the world.
     /// </summary>
+    /// <param name="to">Where it wants to go.</param>
+    /// <param name="trace">Is told each decision; the body's own <see cref="Trace"/> is not.</param>
     /// <exception cref="ArgumentException">The position is not finite.</exception>
-    public ResolveResult Probe(in Position to) => Probe(CurrentSeat, Cell, to);
+    public ResolveResult Probe(in Position to, TraceBuffer? trace = null) => Probe(CurrentSeat, Cell, to, trace);
 
     /// <summary>
     /// Where the body would end if it were in another state and went from there to <paramref name="to"/> in one sweep: how a server checks a movement that a
@@ -27,20 +30,21 @@ public sealed partial class PhysicsBody
     /// </summary>
     /// <param name="from">The state it begins in.</param>
     /// <param name="to">Where it wants to go.</param>
+    /// <param name="trace">Is told each decision; the body's own <see cref="Trace"/> is not.</param>
     /// <returns>The outcome; <see cref="ResolveResult.Found"/> is false when the cell it begins in is not loaded.</returns>
     /// <exception cref="ArgumentException">A position or the velocity is not finite.</exception>
-    public ResolveResult Probe(in BodySeat from, in Position to)
+    public ResolveResult Probe(in BodySeat from, in Position to, TraceBuffer? trace = null)
     {
         ThrowIfNotFinite(from.Position.Frame.Origin, nameof(from));
         ThrowIfNotFinite(from.Velocity, nameof(from));
-        return Probe(from, engine.World.GetVisible(from.Position.CellId), to);
+        return Probe(from, engine.World.GetVisible(from.Position.CellId), to, trace);
     }
 
-    private ResolveResult Probe(in BodySeat from, ObjCell? cell, in Position to)
+    private ResolveResult Probe(in BodySeat from, ObjCell? cell, in Position to, TraceBuffer? trace)
     {
         ThrowIfNotFinite(to.Frame.Origin, nameof(to));
         TransitionPool pool = engine.Questions;
-        if (!pool.TryRent(out Transition? transition)) return default;
+        if (!pool.TryRent(out Transition? transition, trace)) return default;
         try
         {
             return ResolveResult.Of(Sweep(transition, from, cell, to), transition);

@@ -128,7 +128,7 @@ public sealed partial class PhysicsBody
 
     private void TryProposal(in Position proposal, float quantum, double simulatedTime)
     {
-        if (!engine.Transitions.TryRent(out Transition? transition))
+        if (!engine.Transitions.TryRent(out Transition? transition, Trace))
         {
             TurnOnly(proposal.Frame);
             return;

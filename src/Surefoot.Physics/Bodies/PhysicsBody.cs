@@ -1,5 +1,6 @@
 using System.Numerics;
 using Surefoot.Physics.Assets;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.World;
 
@@ -114,6 +115,9 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody, IHookTarget
 
     /// <summary>Is told of collisions.</summary>
     public ICollisionListener? Listener { get; set; }
+
+    /// <summary>Is told each decision when the body is swept or placed; null, the usual case, costs nothing.</summary>
+    public TraceBuffer? Trace { get; set; }
 
     /// <summary>The last motion was asked for here and not by a server.</summary>
     public bool LastMoveWasAutonomous { get; set; }

@@ -1,4 +1,5 @@
 using System.Numerics;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 
 namespace Surefoot.Physics.Transitions;
@@ -13,7 +14,7 @@ public sealed partial class Transition
         if (!Object.Has(MoverFlags.OnWalkable) || !Object.Has(MoverFlags.EdgeSlide))
         {
             Path.Walkable = default;
-            return WalkOff(out state);
+            return WalkOff(out state, TraceReason.Careless);
         }
 
         if (Collision.ContactPlaneValid && Collision.ContactPlane.Normal.Z < walkableZ)
@@ -33,15 +34,15 @@ public sealed partial class Transition
             return state == TransitionState.Collided;
         }
 
-        if (Collision.ContactPlaneValid) return WalkOff(out state);
+        if (Collision.ContactPlaneValid) return WalkOff(out state, TraceReason.None);
         return ProbeBehind(out state, height, walkableZ);
     }
 
-    private bool WalkOff(out TransitionState state)
+    private bool WalkOff(out TransitionState state, TraceReason reason)
     {
         Path.RestoreCheckPos();
         Collision.VoidContactPlane();
-        Trace?.Responded(this, TransitionResponse.EdgeSlide, Vector3.Zero, true);
+        Trace?.WalkedOff(this, reason);
         state = TransitionState.OK;
         return true;
     }
@@ -55,6 +56,7 @@ public sealed partial class Transition
         Path.RestoreCheckPos();
         if (Path.Walkable.IsNone)
         {
+            Trace?.Responded(this, TransitionResponse.EdgeSlide, Vector3.Zero, false, TraceReason.NothingBehind);
             state = TransitionState.Collided;
             return true;
         }
@@ -73,7 +75,7 @@ public sealed partial class Transition
         Path.Walkable = default;
         if (!crossed)
         {
-            Trace?.Responded(this, TransitionResponse.PrecipiceSlide, Vector3.Zero, false);
+            Trace?.Responded(this, TransitionResponse.PrecipiceSlide, Vector3.Zero, false, TraceReason.NoEdgeCrossed);
             return TransitionState.Collided;
         }
 

@@ -1,3 +1,4 @@
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.World;
 
@@ -65,9 +66,13 @@ public sealed partial class Transition
     private TransitionState ConfirmLanding(int attempts)
     {
         Path.Collide = false;
+        Trace?.TakesUpLanding();
+        Trace?.Tries(this, TransitionResponse.Landing, Path.StepUpNormal);
+        TraceReason refusal = Collision.ContactPlaneValid ? TraceReason.BarelySupported : TraceReason.NoFooting;
         bool lands = Collision.ContactPlaneValid && CheckWalkable(RetailMath.LandingZ);
         if (lands)
         {
+            refusal = TraceReason.NoRoom;
             Path.BackupInsertType = Path.InsertType;
             Path.InsertType = InsertType.Placement;
             TransitionState state = TransitionalInsert(attempts);
@@ -76,7 +81,7 @@ public sealed partial class Transition
         }
 
         Path.Walkable = default;
-        Trace?.Responded(this, TransitionResponse.Landing, Path.StepUpNormal, lands);
+        Trace?.Settles(this, TransitionResponse.Landing, Path.StepUpNormal, lands, refusal);
         if (lands) return TransitionState.OK;
 
         Path.RestoreCheckPos();
@@ -98,6 +103,7 @@ public sealed partial class Transition
     private TransitionState AnswerDeferredHit(TransitionState state)
     {
         Path.NegPolyHit = false;
+        Trace?.TakesUpDeferred();
         if (!Path.NegStepUp) return SlideSphere(0, ref Path.NegCollisionNormal, Path.GlobalCurrCenters[0]);
         return StepUp(Path.NegCollisionNormal) ? state : StepUpSlide();
     }
@@ -115,6 +121,7 @@ public sealed partial class Transition
 
         Path.WalkableAllowance = walkableZ;
         Path.SaveCheckPos();
+        Trace?.AsksNobody();
         bool found = ProbeDown(ref height, walkableZ);
         if (found) Path.Walkable = default;
         return found;
@@ -142,6 +149,7 @@ public sealed partial class Transition
         TransitionState state = TransitionState.OK;
         for (int i = 0; i < attempts; i++)
         {
+            Trace?.Asks(cell);
             state = cell.FindCollisions(this);
             Trace?.CellAnswered(this, cell, state);
             if (state is TransitionState.OK or TransitionState.Collided) return state;
@@ -174,6 +182,7 @@ public sealed partial class Transition
         {
             ObjCell? cell = Cells[i].Cell;
             if (cell is null || ReferenceEquals(cell, current)) continue;
+            Trace?.Asks(cell);
             TransitionState state = cell.FindCollisions(this);
             Trace?.CellAnswered(this, cell, state);
             if (state == TransitionState.Slid) Collision.VoidContactPlane();
@@ -181,6 +190,7 @@ public sealed partial class Transition
         }
 
         Path.CheckCell = home;
+        if (!ReferenceEquals(home, current)) Trace?.CellEntered(this, home);
         if (home is not null)
         {
             Path.AdjustCheckPos(home.Id);

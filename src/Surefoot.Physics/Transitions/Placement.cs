@@ -1,3 +1,4 @@
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Transitions.Obstacles;
 

@@ -1,4 +1,5 @@
 using System.Numerics;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 
 namespace Surefoot.Physics.Transitions;
@@ -20,6 +21,7 @@ public sealed partial class Transition
         if (normal == Vector3.Zero)
         {
             Path.AddOffsetToCheckPos(RetailMath.Scale(curr - center, 0.5));
+            Trace?.Responded(this, TransitionResponse.Slide, normal, false, TraceReason.NoDirection);
             return TransitionState.Adjusted;
         }
 
@@ -43,7 +45,7 @@ public sealed partial class Transition
             float keptZ = (float)((float)(crease.Z * along) * (double)inverseStored);
             double length = (keptX * keptX) + ((double)keptY * keptY) + ((double)keptZ * keptZ);
             bool slides = length >= RetailMath.Epsilon;
-            Trace?.Responded(this, TransitionResponse.Slide, normal, slides);
+            Trace?.Responded(this, TransitionResponse.Slide, normal, slides, TraceReason.TooShort);
             if (!slides) return TransitionState.Collided;
             Path.AddOffsetToCheckPos(new Vector3(
                 (float)(keptX - movement.X), (float)((double)keptY - movement.Y), (float)((double)keptZ - movement.Z)));
@@ -58,9 +60,9 @@ public sealed partial class Transition
             return TransitionState.Slid;
         }
 
+        Trace?.Responded(this, TransitionResponse.Slide, normal, false, TraceReason.AgainstTheFloor);
         normal = -movement;
         if (!RetailMath.NormalizeCheckSmall(ref normal)) Collision.SetCollisionNormal(normal);
-        Trace?.Responded(this, TransitionResponse.Slide, normal, false);
         return TransitionState.Collided;
     }
 

@@ -1,4 +1,5 @@
 using System.Numerics;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.World;
 
@@ -58,7 +59,9 @@ public sealed partial class Transition
         {
             if (!slides) return v;
             double k = RetailMath.Dot(v, wall);
-            return new Vector3((float)(v.X - (k * wall.X)), (float)((double)v.Y - (float)(k * wall.Y)), (float)((double)v.Z - (float)(k * wall.Z)));
+            v = new Vector3((float)(v.X - (k * wall.X)), (float)((double)v.Y - (float)(k * wall.Y)), (float)((double)v.Z - (float)(k * wall.Z)));
+            Trace?.Bent(this, TraceReason.AlongWall, wall, v);
+            return v;
         }
 
         Plane floor = Collision.ContactPlane;
@@ -67,16 +70,19 @@ public sealed partial class Transition
         {
             Vector3 crease = RetailMath.Cross(floor.Normal, wall);
             v = RetailMath.NormalizeCheckSmall(ref crease) ? Vector3.Zero : RetailMath.Scale(crease, RetailMath.Dot(crease, v));
+            Trace?.Bent(this, TraceReason.AlongCrease, wall, v);
         }
         else if (into <= 0)
         {
             Vector3 n = floor.Normal;
             v = new Vector3(
                 (float)(v.X - ((double)into * n.X)), (float)(v.Y - ((double)into * n.Y)), (float)((double)v.Z - (float)((double)into * n.Z)));
+            Trace?.Bent(this, TraceReason.AlongFloor, n, v);
         }
         else
         {
             RetailMath.SnapToPlane(floor, ref v);
+            Trace?.Bent(this, TraceReason.DownTheFloor, floor.Normal, v);
         }
 
         Unsink(floor);
@@ -96,6 +102,8 @@ public sealed partial class Transition
         double height = (n.X * ((double)foot.Center.X - block.X)) + (n.Y * ((double)foot.Center.Y - block.Y)) + ((double)n.Z * foot.Center.Z) + floor.D;
         if (height >= (double)foot.Radius - RetailMath.Epsilon) return;
         double lift = (foot.Radius - height) / n.Z;
-        if (foot.Radius > Math.Abs(lift)) Path.AddOffsetToCheckPos(new Vector3(0, 0, (float)lift));
+        if (!(foot.Radius > Math.Abs(lift))) return;
+        Path.AddOffsetToCheckPos(new Vector3(0, 0, (float)lift));
+        Trace?.Lifted(this, (float)lift);
     }
 }

@@ -1,4 +1,5 @@
 using System.Numerics;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.World;
 
@@ -7,6 +8,9 @@ namespace Surefoot.Physics.Transitions;
 /// <content>Stairs, up and down.</content>
 public sealed partial class Transition
 {
+    /// <summary>Why the last probe found no footing, for whoever listens.</summary>
+    private TraceReason probeRefusal;
+
     /// <summary>
     /// Tries to stand on what blocks: footing up to the step-up height above the sphere's bottom lifts the body. True when it
     /// now stands higher; otherwise the position is as before.
@@ -26,10 +30,11 @@ public sealed partial class Transition
 
         Path.WalkableAllowance = walkableZ;
         Path.SaveCheckPos();
+        Trace?.Tries(this, TransitionResponse.StepUp, normal);
         bool stands = StepDown(height, walkableZ);
         Path.StepUp = false;
         Path.Walkable = default;
-        Trace?.Responded(this, TransitionResponse.StepUp, normal, stands);
+        Trace?.Settles(this, TransitionResponse.StepUp, normal, stands, probeRefusal);
         if (!stands) Path.RestoreCheckPos();
         return stands;
     }
@@ -46,14 +51,17 @@ public sealed partial class Transition
         Path.StepDown = true;
         Path.StepDownAmount = height;
         Path.WalkInterp = 1f;
+        Trace?.Tries(this, TransitionResponse.StepDown, Vector3.Zero);
         if (!Path.StepUp) Path.AddOffsetToCheckPos(new Vector3(0, 0, -height));
         TransitionState state = TransitionalInsert(AttemptsPerProbe);
         Path.StepDown = false;
 
+        if (Trace is not null) probeRefusal = RefusalOfFooting(state, walkableZ);
         bool found = state == TransitionState.OK && Collision.ContactPlaneValid && Collision.ContactPlane.Normal.Z >= walkableZ &&
                      (!Object.Has(MoverFlags.EdgeSlide) || Path.StepUp || CheckWalkable(walkableZ));
         if (found)
         {
+            probeRefusal = TraceReason.NoRoom;
             Path.BackupInsertType = Path.InsertType;
             Path.InsertType = InsertType.Placement;
             state = TransitionalInsert(1);
@@ -61,8 +69,16 @@ public sealed partial class Transition
             found = state == TransitionState.OK;
         }
 
-        Trace?.Responded(this, TransitionResponse.StepDown, Collision.ContactPlane.Normal, found);
+        Trace?.Settles(this, TransitionResponse.StepDown, Collision.ContactPlane.Normal, found, probeRefusal);
         return found;
+    }
+
+    /// <summary>What speaks against the footing that a probe found; when nothing does, only its support is left to ask about.</summary>
+    private TraceReason RefusalOfFooting(TransitionState state, float walkableZ)
+    {
+        if (state != TransitionState.OK) return TraceReason.Blocked;
+        if (!Collision.ContactPlaneValid) return TraceReason.NoFooting;
+        return Collision.ContactPlane.Normal.Z >= walkableZ ? TraceReason.BarelySupported : TraceReason.TooSteep;
     }
 
     /// <summary>Is there footing under the body? Asked by moving down: hitting something means yes.</summary>

@@ -1,4 +1,5 @@
 using System.Numerics;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.World;
 
@@ -35,8 +36,8 @@ public sealed partial class Transition
     /// <summary>The cells the path reaches.</summary>
     public CellArray Cells { get; } = new();
 
-    /// <summary>Receives each decision; null, the usual case, costs nothing.</summary>
-    public ITransitionTrace? Trace { get; set; }
+    /// <summary>Is told each decision; null, the usual case, costs nothing.</summary>
+    public TraceBuffer? Trace { get; set; }
 
     /// <summary>Makes the object as good as new.</summary>
     /// <remarks>Retail: CTransition::init @0x00509DD0. Planes and normals of an earlier user are zeroed too (specification 03, 7.1).</remarks>
@@ -73,8 +74,13 @@ public sealed partial class Transition
 
     /// <summary>Runs the attempt; true when a valid position was found, which may be the old one.</summary>
     /// <remarks>Retail: CTransition::find_valid_position @0x0050C310.</remarks>
-    internal bool FindValidPosition() =>
-        Path.InsertType == InsertType.Transition ? FindTransitionalPosition() : FindPlacementPosition();
+    internal bool FindValidPosition()
+    {
+        Trace?.SweepBegins(this);
+        bool found = Path.InsertType == InsertType.Transition ? FindTransitionalPosition() : FindPlacementPosition();
+        Trace?.SweepEnds(this, found);
+        return found;
+    }
 
     /// <summary>Sweeps the spheres from begin to end in steps of at most one radius.</summary>
     /// <returns>True also when every step was refused and undone.</returns>
@@ -97,7 +103,6 @@ public sealed partial class Transition
         TransitionState state = TransitionState.OK;
         for (int i = 0; i < plan.Count; i++)
         {
-            Trace?.StepBegins(this, i, plan.Count);
             Vector3 step = plan.PerStep;
             if (Object.Has(MoverFlags.IsViewer) && i == plan.Count - 1 && plan.Distance > RetailMath.Epsilon)
             {
@@ -105,9 +110,11 @@ public sealed partial class Transition
                 step = RetailMath.Scale(plan.Offset, (plan.Distance - (radius * (plan.Count - 1))) / plan.Distance);
             }
 
+            Trace?.StepBegins(this, i, plan.Count, step);
             Path.GlobalOffset = AdjustOffset(step);
             if (!Object.Has(MoverFlags.IsViewer) && RetailMath.EpsilonSquared > RetailMath.LengthSquared(Path.GlobalOffset))
             {
+                Trace?.StepEnds(this, TransitionState.Invalid, TraceReason.TooShort);
                 if (i == 0) return false;
                 break;
             }

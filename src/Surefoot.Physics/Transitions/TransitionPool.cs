@@ -1,4 +1,5 @@
 using System.Diagnostics.CodeAnalysis;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Transitions;
@@ -12,15 +13,16 @@ internal sealed class TransitionPool(ICellWorld world)
     private readonly Transition?[] levels = new Transition?[Levels];
     private int depth;
 
-    internal ITransitionTrace? Trace { get; set; }
-
-    internal bool TryRent([NotNullWhen(true)] out Transition? transition)
+    /// <summary>Hands out the work object of the next level.</summary>
+    /// <param name="transition">The work object, as good as new.</param>
+    /// <param name="trace">Who is told its decisions.</param>
+    internal bool TryRent([NotNullWhen(true)] out Transition? transition, TraceBuffer? trace = null)
     {
         transition = null;
         if (depth >= Levels) return false;
         transition = levels[depth] ??= new Transition(world);
         transition.Reset();
-        transition.Trace = Trace;
+        transition.Trace = trace;
         depth++;
         return true;
     }

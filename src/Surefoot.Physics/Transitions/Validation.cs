@@ -1,5 +1,6 @@
 using System.Numerics;
 using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 
 namespace Surefoot.Physics.Transitions;
@@ -13,9 +14,9 @@ public sealed partial class Transition
     /// </summary>
     /// <returns>OK also for an undone step.</returns>
     /// <remarks>Retail: CTransition::validate_transition @0x0050AA70.</remarks>
-    private TransitionState ValidateTransition(TransitionState state)
+    private TransitionState ValidateTransition(TransitionState answer)
     {
-        Trace?.StepEnds(this, state);
+        TransitionState state = answer;
         bool moved = state == TransitionState.OK &&
                      !(Path.CheckPos.CellId == Path.CurrPos.CellId && Frame.NearlyEqual(Path.CheckPos.Frame, Path.CurrPos.Frame));
         if (state == TransitionState.OK)
@@ -32,6 +33,7 @@ public sealed partial class Transition
         if (Collision.CollisionNormalValid) Collision.SetSlidingNormal(Collision.CollisionNormal);
         CountStationaryFall(moved);
         KeepContactAsLastKnown();
+        Trace?.StepEnds(this, answer);
         return state;
     }
 
@@ -55,6 +57,7 @@ public sealed partial class Transition
             {
                 Collision.SetContactPlane(
                     Collision.LastKnownContactPlane, Collision.LastKnownContactPlaneIsWater, Collision.LastKnownContactPlaneCellId);
+                Trace?.ContactRegained(this);
                 regained = Object.Has(MoverFlags.OnWalkable);
             }
         }
@@ -88,6 +91,7 @@ public sealed partial class Transition
         Sphere foot = Path.GlobalSpheres[0];
         Plane floor = new(Vector3.UnitZ, (float)((double)foot.Radius - foot.Center.Z));
         Collision.SetContactPlane(floor, false, Path.CheckPos.CellId);
+        Trace?.ContactMadeUp(this);
         // The contact bit is still that of the step before: it is rewritten only after this.
         if (!Object.Has(MoverFlags.Contact))
         {

@@ -1,5 +1,6 @@
 using System.Numerics;
 using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Transitions;
 using Surefoot.Physics.Transitions.Obstacles;
@@ -90,7 +91,12 @@ public sealed class LandCell : ObjCell
         Vector3 low = path.GlobalLowPoint - offset;
         int triangle = terrain.FindTriangle(index, low);
         if (triangle < 0) return TransitionState.OK;
-        if (terrain.BlockWaterType == WaterType.Entirely && IsStoppedByOpenWater(transition.Object)) return TransitionState.Collided;
+        transition.Trace?.AsksTriangle(triangle);
+        if (terrain.BlockWaterType == WaterType.Entirely && IsStoppedByOpenWater(transition.Object))
+        {
+            transition.Trace?.Responded(transition, TransitionResponse.Stop, Vector3.Zero, false, TraceReason.OpenWater);
+            return TransitionState.Collided;
+        }
 
         Sphere foot = path.GlobalSpheres[0];
         foot.Center -= offset;

@@ -1,4 +1,5 @@
 using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Transitions;
 using Surefoot.Physics.Transitions.Obstacles;
 
@@ -31,7 +32,12 @@ public abstract partial class ObjCell
         for (int i = 0; i < ShadowCount; i++)
         {
             WorldObject target = shadows[i].Object;
-            if (target.Parent is not null || ReferenceEquals(target, mover)) continue;
+            if (target.Parent is not null || ReferenceEquals(target, mover))
+            {
+                transition.Trace?.Skipped(transition, target, target.Parent is not null ? TraceReason.IsAttached : TraceReason.IsTheMover);
+                continue;
+            }
+
             TransitionState state = target.FindObjCollisions(transition);
             if (state != TransitionState.OK) return state;
         }

@@ -1,5 +1,6 @@
 using System.Numerics;
 using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Transitions;
 
@@ -85,8 +86,10 @@ public abstract partial class ObjCell
                 return TransitionState.OK;
             case false:
                 HandleMoveRestriction(transition);
+                transition.Trace?.Responded(transition, TransitionResponse.Stop, transition.Collision.CollisionNormal, false, TraceReason.Guarded);
                 return TransitionState.Collided;
             default:
+                transition.Trace?.Responded(transition, TransitionResponse.Stop, Vector3.Zero, false, TraceReason.Guarded);
                 return TransitionState.Collided;
         }
     }

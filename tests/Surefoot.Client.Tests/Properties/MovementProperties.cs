@@ -2,6 +2,7 @@ using System.Numerics;
 using CsCheck;
 using Surefoot.Physics;
 using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.World;
 
@@ -85,17 +86,16 @@ public sealed class MovementProperties(DemoFiles files) : IClassFixture<DemoFile
         Trip.Any.Sample(
             trip => grounds.Visit(trip, journey =>
             {
-                StepMeter meter = new();
-                journey.Engine.Trace = meter;
+                TraceBuffer trace = new();
+                journey.Body.Trace = trace;
                 journey.Go(() =>
                 {
-                    meter.Finish();
-                    foreach (StepMeter.Step step in meter.Steps)
+                    foreach (StepMeter.Step step in StepMeter.Read(trace))
                     {
                         if (new Reach(step, journey.Body).Excess(journey.World) is { } excess) Assert.Fail($"{excess}: {step}");
                     }
 
-                    meter.Clear();
+                    trace.Clear();
                 });
             }),
             iter: Fuzz.Cases(3000));

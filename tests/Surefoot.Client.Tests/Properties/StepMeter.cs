@@ -1,62 +1,44 @@
 using System.Numerics;
 using Surefoot.Physics.Bodies;
-using Surefoot.Physics.Transitions;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.World;
 
 namespace Surefoot.Client.Tests.Properties;
 
 /// <summary>Measures each step of a sweep: what was asked, what answered, and how far the body was accepted.</summary>
-internal sealed class StepMeter : ITransitionTrace
+internal static class StepMeter
 {
-    private readonly List<Step> steps = [];
-    private Transition? sweep;
-    private Position begin;
-    private Step open;
-
-    /// <summary>Steps since the last <see cref="Clear"/>.</summary>
-    internal IReadOnlyList<Step> Steps => steps;
-
-    internal void Clear()
+    /// <summary>The sub-steps that were told.</summary>
+    internal static List<Step> Read(TraceBuffer trace)
     {
-        steps.Clear();
-        sweep = null;
-    }
-
-    /// <summary>The sweep is over: its last step is closed.</summary>
-    internal void Finish()
-    {
-        if (sweep is null) return;
-        steps.Add(open with { Moved = begin.OffsetTo(sweep.Path.CurrPos), End = sweep.Path.CurrPos });
-        sweep = null;
-    }
-
-    public void StepBegins(Transition transition, int index, int count)
-    {
-        Finish();
-        SpherePath path = transition.Path;
-        (sweep, begin) = (transition, path.CurrPos);
-        Plane? floor = transition.Collision.ContactPlaneValid ? transition.Collision.ContactPlane : null;
-        open = new Step(path.BeginPos.OffsetTo(path.EndPos) / count, floor);
-    }
-
-    public void CellAnswered(Transition transition, ObjCell cell, TransitionState answer)
-    {
-    }
-
-    public void StepEnds(Transition transition, TransitionState outcome)
-    {
-    }
-
-    public void Responded(Transition transition, TransitionResponse response, in Vector3 normal, bool succeeded)
-    {
-        if (!succeeded) return;
-        open = response switch
+        List<Step> steps = [];
+        Position begin = default;
+        Step open = default;
+        foreach (ref readonly TraceEntry entry in trace.Entries)
         {
-            TransitionResponse.CliffSlide => open with { CliffSlide = true },
-            TransitionResponse.Landing => open with { Landed = true },
-            TransitionResponse.Slide => open with { Slid = true },
-            _ => open,
-        };
+            Position place = new(entry.CellId, entry.Origin);
+            switch (entry.Kind)
+            {
+                case TraceKind.StepBegins:
+                    begin = place;
+                    open = new Step(entry.Offset, entry.Plane == default ? null : entry.Plane);
+                    break;
+                case TraceKind.StepEnds:
+                    steps.Add(open with { Moved = begin.OffsetTo(place), End = place });
+                    break;
+                case TraceKind.Responded when entry.Succeeded:
+                    open = entry.Response switch
+                    {
+                        TransitionResponse.CliffSlide => open with { CliffSlide = true },
+                        TransitionResponse.Landing => open with { Landed = true },
+                        TransitionResponse.Slide => open with { Slid = true },
+                        _ => open,
+                    };
+                    break;
+            }
+        }
+
+        return steps;
     }
 
     /// <summary>One step of a sweep.</summary>

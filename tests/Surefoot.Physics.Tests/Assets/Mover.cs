@@ -1,6 +1,7 @@
 using System.Numerics;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Tests.Transitions;
 using Surefoot.Physics.Transitions;

@@ -1,4 +1,5 @@
 using System.Numerics;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Transitions;
 

@@ -1,6 +1,7 @@
 using System.Numerics;
 using CsCheck;
 using Surefoot.Physics.Assets;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Transitions;
 

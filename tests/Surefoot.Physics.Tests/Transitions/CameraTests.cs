@@ -1,4 +1,5 @@
 using System.Numerics;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Transitions;
 using Surefoot.Physics.World;
@@ -10,7 +11,7 @@ public class CameraTests
 {
     private const MoverFlags Camera = MoverFlags.IsViewer | MoverFlags.PathClipped | MoverFlags.FreeRotate | MoverFlags.PerfectClip;
 
-    private static Transition Sweep(Vector3 from, Vector3 to, ITransitionTrace? trace = null)
+    private static Transition Sweep(Vector3 from, Vector3 to, TraceBuffer? trace = null)
     {
         StubWorld world = new(_ => StubWorld.Flat(0));
         Transition t = new(world) { Trace = trace };
@@ -24,11 +25,11 @@ public class CameraTests
     [Fact, Behaviour("transition.camera.stops-at-the-ground", "spec/03, 6.8 Camera")]
     public void The_camera_ends_its_sweep_in_the_step_that_meets_the_ground()
     {
-        StepCounter steps = new();
-        Transition t = Sweep(new(0, 0, 1.5f), new(-1.2f, 0, 0.1f), steps);
+        TraceBuffer trace = new();
+        Transition t = Sweep(new(0, 0, 1.5f), new(-1.2f, 0, 0.1f), trace);
         Assert.Equal(7, t.CalcNumSteps().Count);
         Assert.True(t.FindValidPosition());
-        Assert.Equal(6, steps.Count);
+        Assert.Equal(6, trace.StepCount());
         Assert.True(Vector3.Distance(new(-1.02857137f, 0, 0.300000012f), t.Path.CurrPos.Frame.Origin) < 2e-7f, $"{t.Path.CurrPos.Frame.Origin:R}");
         Assert.Equal((true, Vector3.UnitZ), (t.Collision.CollisionNormalValid, t.Collision.CollisionNormal));
     }

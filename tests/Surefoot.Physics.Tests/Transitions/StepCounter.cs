@@ -1,25 +1,15 @@
-using System.Numerics;
-using Surefoot.Physics.Transitions;
-using Surefoot.Physics.World;
+using Surefoot.Physics.Decisions;
 
 namespace Surefoot.Physics.Tests.Transitions;
 
-/// <summary>A trace that counts sub-steps.</summary>
-internal sealed class StepCounter : ITransitionTrace
+/// <summary>Counts the sub-steps that a trace tells of.</summary>
+internal static class StepCounter
 {
-    internal int Count { get; private set; }
-
-    public void StepBegins(Transition transition, int index, int count) => Count++;
-
-    public void CellAnswered(Transition transition, ObjCell cell, TransitionState answer)
+    internal static int StepCount(this TraceBuffer trace)
     {
-    }
-
-    public void StepEnds(Transition transition, TransitionState outcome)
-    {
-    }
-
-    public void Responded(Transition transition, TransitionResponse response, in Vector3 normal, bool succeeded)
-    {
+        int count = 0;
+        foreach (ref readonly TraceEntry entry in trace.Entries)
+            if (entry.Kind == TraceKind.StepBegins) count++;
+        return count;
     }
 }

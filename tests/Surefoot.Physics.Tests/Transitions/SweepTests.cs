@@ -1,4 +1,5 @@
 using System.Numerics;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Transitions;
 
 namespace Surefoot.Physics.Tests.Transitions;
@@ -49,11 +50,10 @@ public class SweepTests
     public void A_walker_covers_flat_ground_in_steps_of_at_most_one_radius()
     {
         Transition t = new StubWorld(FlatGround).Sweep(Vector3.Zero, new(1, 0, 0), Standing);
-        StepCounter steps = new();
-        t.Trace = steps;
+        t.Trace = new TraceBuffer();
         Assert.True(t.FindValidPosition());
         AssertEndsAt(t, 1, 0, 0, Standing);
-        Assert.Equal(3, steps.Count);
+        Assert.Equal(3, t.Trace.StepCount());
     }
 
     [Fact, Behaviour("transition.stand.under-gravity-fails", "spec/03, 6.8 case 3")]

@@ -1,6 +1,7 @@
 using System.Numerics;
 using Surefoot.Dats.Records;
 using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.Tests.Assets;

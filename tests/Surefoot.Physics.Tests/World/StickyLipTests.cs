@@ -2,11 +2,11 @@ using System.Numerics;
 using Surefoot.Dats.Records;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.Tests.Assets;
 using Surefoot.Physics.Tests.Motion;
-using Surefoot.Physics.Transitions;
 using Surefoot.Physics.World;
 using StaticRecord = Surefoot.Dats.Records.StaticObject;
 
@@ -48,20 +48,21 @@ public sealed class StickyLipTests
     [Behaviour("edge.lip.stops-a-stride", "spec/03, 4.7, step_up, step_down 4 and edge_slide C")]
     public void A_runner_steps_onto_a_lip_from_afar_and_the_next_stride_is_stopped_at_its_edge()
     {
-        Responses responses = new();
-        engine.Trace = responses;
         PhysicsBody runner = Begin(speed: 4, start: -1.566f);
+        TraceBuffer trace = runner.Trace = new TraceBuffer();
         Vector3 lip = default;
-        for (int i = 0; i < 40 && responses.StepsUp.Count == 0; i++) lip = Next(runner);
-        Assert.Equal(0.06f, Assert.Single(responses.StepsUp), 0.01f);
-        Assert.Equal(responses.StepsUp[0], lip.Y);
+        for (int i = 0; i < 40 && Responses(trace, TransitionResponse.StepUp).Length == 0; i++) lip = Next(runner);
+        float stepUp = Assert.Single(Responses(trace, TransitionResponse.StepUp));
+        Assert.Equal(0.06f, stepUp, 0.01f);
+        Assert.Equal(stepUp, lip.Y);
         Assert.Equal(FloorZ, lip.Z, 1e-4f);
         Assert.True(runner.OnWalkable);
-        Assert.Empty(responses.Precipices);
+        Assert.Empty(Responses(trace, TransitionResponse.PrecipiceSlide));
 
         Assert.Equal(lip, Next(runner));
-        Assert.Equal(0.19f, Assert.Single(responses.Precipices), 0.01f);
-        Assert.Equal(lip.Y + Stride, responses.Precipices[0], 1e-3f);
+        float precipice = Assert.Single(Responses(trace, TransitionResponse.PrecipiceSlide));
+        Assert.Equal(0.19f, precipice, 0.01f);
+        Assert.Equal(lip.Y + Stride, precipice, 1e-3f);
         for (int i = 0; i < 30; i++) Assert.Equal(lip, Next(runner));
         Assert.True(runner.OnWalkable);
     }
@@ -132,30 +133,11 @@ public sealed class StickyLipTests
         PhysicsTree = new BspTree { Nodes = [new BspNode { Sphere = new(new Vector3(0, 2, -3), 16), Polygons = [0, 1, 2] }] },
     };
 
-    /// <summary>Remembers at which y bodies stepped up and precipice slides began.</summary>
-    private sealed class Responses : ITransitionTrace
-    {
-        internal List<float> StepsUp { get; } = [];
-
-        internal List<float> Precipices { get; } = [];
-
-        public void StepBegins(Transition transition, int index, int count)
-        {
-        }
-
-        public void CellAnswered(Transition transition, ObjCell cell, TransitionState answer)
-        {
-        }
-
-        public void StepEnds(Transition transition, TransitionState outcome)
-        {
-        }
-
-        public void Responded(Transition transition, TransitionResponse response, in Vector3 normal, bool succeeded)
-        {
-            float y = transition.Path.Check.Frame.Origin.Y - Origin.Y;
-            if (response == TransitionResponse.StepUp && succeeded) StepsUp.Add(y);
-            if (response == TransitionResponse.PrecipiceSlide) Precipices.Add(y);
-        }
-    }
+    /// <summary>At which y a body stepped up, or precipice slides began.</summary>
+    private static float[] Responses(TraceBuffer trace, TransitionResponse response) =>
+    [
+        .. trace.Entries.ToArray()
+            .Where(e => e.Kind == TraceKind.Responded && e.Response == response && (e.Succeeded || response == TransitionResponse.PrecipiceSlide))
+            .Select(e => e.Origin.Y - Origin.Y),
+    ];
 }

@@ -1,4 +1,5 @@
 using System.Numerics;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.World;
 
@@ -39,6 +40,7 @@ internal static class BallObstacle
                         CollisionPrimitives.SphereCollidesWithSphere(path.GlobalSpheres[1].Center - obstacle.Center, radiusSum);
         // In every mode a ball that is not touched answers OK.
         if (!footHits && !headHits) return TransitionState.OK;
+        transition.Trace?.HitShape(transition, footHits ? 0 : 1, obstacle);
 
         if (path.ObstructionEthereal || path.InsertType == InsertType.Placement) return TransitionState.Collided;
         if (path.StepDown) return isCreature ? TransitionState.OK : StepSphereDown(transition, obstacle, offset, radiusSum);
@@ -84,6 +86,7 @@ internal static class BallObstacle
         // Through the point under the centre before it is moved: off by the way back, and retail's.
         Plane plane = RetailMath.PlaneThrough(normal, RetailMath.AddScaled(foot.Center, -foot.Radius, normal));
         transition.Collision.SetContactPlane(plane, true, path.CheckPos.CellId);
+        transition.Trace?.ContactTaken(transition);
         path.WalkInterp = (float)left;
         path.AddOffsetToCheckPos(back);
         return TransitionState.Adjusted;
@@ -94,7 +97,12 @@ internal static class BallObstacle
     private static TransitionState StepSphereUp(Transition transition, in Sphere obstacle, in Vector3 offset, float radiusSum)
     {
         double reach = (double)radiusSum + RetailMath.Epsilon;
-        if (transition.Object.StepUpHeight < reach - offset.Z) return SlideAround(transition, obstacle, offset, 0);
+        if (transition.Object.StepUpHeight < reach - offset.Z)
+        {
+            transition.Trace?.Responded(transition, TransitionResponse.StepUp, Vector3.Zero, false, TraceReason.TooHigh);
+            return SlideAround(transition, obstacle, offset, 0);
+        }
+
         // Not made unit: a refused step slides with it as it is.
         Vector3 normal = transition.Path.GlobalCurrCenters[0] - obstacle.Center;
         return transition.StepUp(normal) ? TransitionState.OK : transition.StepUpSlide();
@@ -123,6 +131,7 @@ internal static class BallObstacle
         Vector3 normal = new((float)(offset.X * inverse), (float)(offset.Y * inverse), (float)normalZ);
         Plane plane = RetailMath.PlaneThrough(normal, RetailMath.AddScaled(obstacle.Center, obstacle.Radius, normal));
         transition.Collision.SetContactPlane(plane, true, path.CheckPos.CellId);
+        transition.Trace?.ContactTaken(transition);
         path.WalkInterp = (float)left;
         path.AddOffsetToCheckPos(new Vector3(0, 0, lift));
         return TransitionState.Adjusted;
@@ -135,6 +144,7 @@ internal static class BallObstacle
         Vector3 normal = transition.Path.GlobalCurrCenters[0] - obstacle.Center;
         if (RetailMath.NormalizeCheckSmall(ref normal)) return TransitionState.Collided;
         transition.Path.SetCollide(normal);
+        transition.Trace?.AsksToLand();
         transition.Path.WalkableAllowance = RetailMath.LandingZ;
         return TransitionState.Adjusted;
     }
@@ -145,6 +155,7 @@ internal static class BallObstacle
     {
         SpherePath path = transition.Path;
         Vector3 curr = path.GlobalCurrCenters[i], center = path.GlobalSpheres[i].Center, fromObstacle = curr - obstacle.Center;
+        transition.Trace?.Responded(transition, TransitionResponse.Stop, fromObstacle, true);
         if (!transition.Object.Has(MoverFlags.PerfectClip))
         {
             if (!RetailMath.NormalizeCheckSmall(ref fromObstacle)) transition.Collision.SetCollisionNormal(fromObstacle);
@@ -182,7 +193,7 @@ internal static class BallObstacle
         if (RetailMath.NormalizeCheckSmall(ref normal)) return TransitionState.Collided;
         transition.Collision.SetCollisionNormal(normal);
         TransitionState state = SlideAlongCrease(transition, normal, offset, i);
-        transition.Trace?.Responded(transition, TransitionResponse.Slide, normal, state == TransitionState.Slid);
+        transition.Trace?.Responded(transition, TransitionResponse.Slide, normal, state == TransitionState.Slid, TraceReason.TooShort);
         return state;
     }
 

@@ -1,5 +1,6 @@
 using System.Numerics;
 using Surefoot.Physics.Assets;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 
 namespace Surefoot.Physics.Transitions.Obstacles;
@@ -26,11 +27,18 @@ internal static class BspObstacle
         {
             bool centerCheck = !path.BuildingCheck || !path.HitsInteriorCell;
             bool solid = tree.SphereIntersectsSolid(spheres[0], centerCheck) || (two && tree.SphereIntersectsSolid(spheres[1], centerCheck));
-            return solid ? TransitionState.Collided : TransitionState.OK;
+            if (!solid) return TransitionState.OK;
+            transition.Trace?.HitTree(transition, TraceReason.Overlaps);
+            return TransitionState.Collided;
         }
 
         if (path.CheckWalkable)
-            return tree.HitsWalkable(spheres[0], path.LocalSpaceZ, path.WalkableAllowance) ? TransitionState.Collided : TransitionState.OK;
+        {
+            if (!tree.HitsWalkable(spheres[0], path.LocalSpaceZ, path.WalkableAllowance)) return TransitionState.OK;
+            transition.Trace?.HitTree(transition, TraceReason.Supports);
+            return TransitionState.Collided;
+        }
+
         if (path.StepDown) return tree.StepSphereDown(transition, scale);
 
         Vector3 movement = spheres[0].Center - path.LocalSpaceCurrCenters[0];
@@ -44,14 +52,26 @@ internal static class BspObstacle
     {
         SpherePath path = transition.Path;
         PolygonContact foot = default;
-        if (tree.SphereIntersectsPoly(path.LocalSpaceSpheres[0], movement, ref foot)) return tree.StepSphereUp(transition, foot);
+        if (tree.SphereIntersectsPoly(path.LocalSpaceSpheres[0], movement, ref foot))
+        {
+            transition.Trace?.HitPolygon(transition, tree, foot.Polygon, 0, TraceReason.RunInto);
+            return tree.StepSphereUp(transition, foot);
+        }
+
         if (!two) return TransitionState.OK;
 
         // The head is asked with the foot's movement.
         PolygonContact head = default;
-        if (tree.SphereIntersectsPoly(path.LocalSpaceSpheres[1], movement, ref head)) return tree.SlideSphere(transition, head);
-        if (head.IsSome) path.SetNegPolyHit(false, tree.GlobalNormal(path, head));
-        else if (foot.IsSome) path.SetNegPolyHit(true, tree.GlobalNormal(path, foot));
+        if (tree.SphereIntersectsPoly(path.LocalSpaceSpheres[1], movement, ref head))
+        {
+            transition.Trace?.HitPolygon(transition, tree, head.Polygon, 1, TraceReason.RunInto);
+            return tree.SlideSphere(transition, head);
+        }
+
+        if (!head.IsSome && !foot.IsSome) return TransitionState.OK;
+        PolygonContact overlapped = head.IsSome ? head : foot;
+        path.SetNegPolyHit(!head.IsSome, tree.GlobalNormal(path, overlapped));
+        transition.Trace?.HitPolygon(transition, tree, overlapped.Polygon, head.IsSome ? 1 : 0, TraceReason.Deferred);
         return TransitionState.OK;
     }
 
@@ -60,7 +80,9 @@ internal static class BspObstacle
     {
         PolygonContact hit = default;
         bool met = tree.SphereIntersectsPoly(transition.Path.LocalSpaceSpheres[0], movement, ref hit) || hit.IsSome;
-        return met ? tree.CollideWithPoint(transition, hit, scale) : TransitionState.OK;
+        if (!met) return TransitionState.OK;
+        transition.Trace?.HitPolygon(transition, tree, hit.Polygon, 0, TraceReason.RunInto);
+        return tree.CollideWithPoint(transition, hit, scale);
     }
 
     /// <summary>In the air: the foot asks for a landing, the head stops; whichever way the polygon faces.</summary>
@@ -70,6 +92,7 @@ internal static class BspObstacle
         PolygonContact hit = default;
         if (tree.SphereIntersectsPoly(path.LocalSpaceSpheres[0], movement, ref hit) || hit.IsSome)
         {
+            transition.Trace?.HitPolygon(transition, tree, hit.Polygon, 0, TraceReason.LandingAsked);
             path.SetCollide(tree.GlobalNormal(path, hit));
             path.WalkableAllowance = RetailMath.LandingZ;
             return TransitionState.Adjusted;
@@ -77,7 +100,10 @@ internal static class BspObstacle
 
         if (two && (tree.SphereIntersectsPoly(path.LocalSpaceSpheres[1], movement, ref hit) || hit.IsSome))
         {
-            transition.Collision.SetCollisionNormal(tree.GlobalNormal(path, hit));
+            Vector3 normal = tree.GlobalNormal(path, hit);
+            transition.Trace?.HitPolygon(transition, tree, hit.Polygon, 1, TraceReason.RunInto);
+            transition.Trace?.Responded(transition, TransitionResponse.Stop, normal, true);
+            transition.Collision.SetCollisionNormal(normal);
             return TransitionState.Collided;
         }
 
@@ -112,12 +138,14 @@ internal static class BspObstacle
         tree.FindWalkable(ref search);
         if (!search.Found) return TransitionState.OK;
 
+        transition.Trace?.HitPolygon(transition, tree, search.Polygon, 0, TraceReason.None);
         path.WalkInterp = search.WalkInterp;
         path.AddOffsetToCheckPos(GlobalOffset(path, search.Sphere.Center - path.LocalSpaceSpheres[0].Center, scale));
         Plane plane = path.CheckPos.LocalToGlobal(path.LocalSpacePos, tree.Polygons.PlaneOf(search.Polygon));
         // The constant was carried over as if unscaled and is scaled now: right only for a part at the origin, and retail's.
         plane.D = (float)((double)plane.D * scale);
         transition.Collision.SetContactPlane(plane, false, path.CheckPos.CellId);
+        transition.Trace?.ContactTaken(transition);
         path.SetWalkable(search.Sphere, new PolygonRef(tree.Polygons, search.Polygon), path.LocalSpaceZ, path.LocalSpacePos, scale);
         return TransitionState.Adjusted;
     }
@@ -141,6 +169,7 @@ internal static class BspObstacle
     {
         SpherePath path = transition.Path;
         Vector3 normal = tree.GlobalNormal(path, hit);
+        transition.Trace?.Responded(transition, TransitionResponse.Stop, normal, true);
         if (!transition.Object.Has(MoverFlags.PerfectClip))
         {
             transition.Collision.SetCollisionNormal(normal);
@@ -220,6 +249,7 @@ internal static class BspObstacle
 
             if (hit.IsSome)
             {
+                transition.Trace?.HitPolygon(transition, tree, hit.Polygon, isFoot ? 0 : 1, TraceReason.Overlaps);
                 ConvexPolygon polygon = tree.Polygons[hit.Polygon];
                 if (isFoot) polygon.PushOut(ref foot, ref head, radius, centerSolid, solidCheck);
                 else polygon.PushOut(ref head, ref foot, radius, centerSolid, solidCheck);

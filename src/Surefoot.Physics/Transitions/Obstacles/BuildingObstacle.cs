@@ -1,4 +1,5 @@
 using Surefoot.Physics.Assets;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Transitions.Obstacles;
@@ -13,6 +14,7 @@ internal static class BuildingObstacle
         StaticObject shell = building.Shell;
         if (shell.PlacedPartCount == 0) return TransitionState.OK;
         SetupPart part = shell.Setup!.Parts[0];
+        transition.Trace?.AsksBuilding(shell);
         transition.Path.BuildingCheck = true;
         TransitionState state = part.Mesh.FindCollisions(transition, new Position(shell.Position.CellId, shell.PartFrame(0)), part.DefaultScale.Z);
         transition.Path.BuildingCheck = false;

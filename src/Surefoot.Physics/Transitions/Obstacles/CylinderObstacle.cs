@@ -1,4 +1,5 @@
 using System.Numerics;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.World;
 
@@ -41,6 +42,7 @@ internal static class CylinderObstacle
         if (!footHits && !headHits) return TransitionState.OK;
         // Retail does this before it looks; only the turned normal of a step-up reads it.
         path.CacheLocalSpaceSpheres(obstacle, 1f);
+        transition.Trace?.HitShape(transition, footHits ? 0 : 1, 0);
 
         if (path.InsertType == InsertType.Placement || path.ObstructionEthereal) return TransitionState.Collided;
         if (path.StepDown) return StepSphereDown(transition, cylinder, offset);
@@ -104,6 +106,7 @@ internal static class CylinderObstacle
         Vector3 low = foot.Center + move;
         low.Z -= foot.Radius;
         transition.Collision.SetContactPlane(RetailMath.PlaneThrough(Vector3.UnitZ, low), true, path.CheckPos.CellId);
+        transition.Trace?.ContactTaken(transition);
         path.WalkInterp = (float)left;
         path.AddOffsetToCheckPos(move);
         return TransitionState.Adjusted;
@@ -115,7 +118,11 @@ internal static class CylinderObstacle
     {
         SpherePath path = transition.Path;
         if (transition.Object.StepUpHeight < (double)path.GlobalSpheres[0].Radius + cylinder.Height - offset.Z)
+        {
+            transition.Trace?.Responded(transition, TransitionResponse.StepUp, Vector3.Zero, false, TraceReason.TooHigh);
             return SlideSphere(transition, cylinder, offset, radiusSum, 0);
+        }
+
         NormalOfCollision(path, cylinder, offset, radiusSum, 0, out Vector3 normal);
         if (RetailMath.NormalizeCheckSmall(ref normal)) return TransitionState.Collided;
         // Global already, and turned with the object all the same: retail's.
@@ -138,6 +145,7 @@ internal static class CylinderObstacle
         float lift = (float)exact;
         Vector3 low = new(foot.Center.X, foot.Center.Y, (float)((double)lift - foot.Radius + foot.Center.Z));
         transition.Collision.SetContactPlane(RetailMath.PlaneThrough(Vector3.UnitZ, low), true, path.CheckPos.CellId);
+        transition.Trace?.ContactTaken(transition);
         path.WalkInterp = (float)left;
         path.AddOffsetToCheckPos(new Vector3(0, 0, lift));
         return TransitionState.Adjusted;
@@ -151,6 +159,7 @@ internal static class CylinderObstacle
         NormalOfCollision(path, cylinder, offset, radiusSum, 0, out Vector3 normal);
         if (RetailMath.NormalizeCheckSmall(ref normal)) return TransitionState.Collided;
         path.SetCollide(normal);
+        transition.Trace?.AsksToLand();
         path.WalkableAllowance = RetailMath.LandingZ;
         return TransitionState.Adjusted;
     }
@@ -173,6 +182,7 @@ internal static class CylinderObstacle
         SpherePath path = transition.Path;
         bool definite = NormalOfCollision(path, cylinder, offset, radiusSum, i, out Vector3 normal);
         if (RetailMath.NormalizeCheckSmall(ref normal)) return TransitionState.Collided;
+        transition.Trace?.Responded(transition, TransitionResponse.Stop, normal, true);
         if (!transition.Object.Has(MoverFlags.PerfectClip))
         {
             transition.Collision.SetCollisionNormal(normal);

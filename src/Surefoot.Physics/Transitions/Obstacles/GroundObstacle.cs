@@ -1,4 +1,5 @@
 using System.Numerics;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.World;
 
@@ -27,7 +28,7 @@ internal static class GroundObstacle
         SpherePath path = transition.Path;
         CollisionInfo collision = transition.Collision;
         ObjectInfo mover = transition.Object;
-        if (mover.Has(MoverFlags.IsViewer)) return ValidateViewer(path, collision, sphere, plane);
+        if (mover.Has(MoverFlags.IsViewer)) return ValidateViewer(transition, sphere, plane, cellId);
 
         Vector3 low = sphere.Center;
         double distance = ((double)plane.Normal.X * low.X) + ((double)plane.Normal.Y * low.Y) +
@@ -35,10 +36,11 @@ internal static class GroundObstacle
         if (distance > RetailMath.Epsilon) return TransitionState.OK;
 
         bool mayStand = path.StepDown || !mover.Has(MoverFlags.OnWalkable) || ObjectInfo.IsValidWalkable(plane.Normal);
+        transition.Trace?.HitGround(transition, plane, cellId, distance, mayStand ? TraceReason.None : TraceReason.TooSteep);
         TransitionState state = TransitionState.OK;
         if (distance >= -RetailMath.Epsilon)
         {
-            if (mayStand) collision.SetContactPlane(plane, isWater, cellId);
+            if (mayStand) TakeContact(transition, plane, isWater, cellId);
         }
         else
         {
@@ -46,7 +48,7 @@ internal static class GroundObstacle
             float depth = (float)(distance / plane.Normal.Z);
             if (mayStand)
             {
-                collision.SetContactPlane(plane, isWater, cellId);
+                TakeContact(transition, plane, isWater, cellId);
                 if (path.StepDown)
                 {
                     double interp = UsedInterp(path.WalkInterp, path.StepDownAmount, depth);
@@ -68,6 +70,12 @@ internal static class GroundObstacle
         return state;
     }
 
+    private static void TakeContact(Transition transition, in Plane plane, bool isWater, uint cellId)
+    {
+        transition.Collision.SetContactPlane(plane, isWater, cellId);
+        transition.Trace?.ContactTaken(transition);
+    }
+
     /// <summary>
     /// What is left of a downward probe after it found footing. Retail's formula divides by the present value; at exactly 0,
     /// where that is 0 times infinity, its continuation is used.
@@ -76,8 +84,9 @@ internal static class GroundObstacle
         interp == 0 ? depth / amount : (1.0 - ((-1.0 / (amount * interp)) * depth)) * interp;
 
     /// <summary>The camera stops where its sphere touches the ground instead of standing on it.</summary>
-    private static TransitionState ValidateViewer(SpherePath path, CollisionInfo collision, in Sphere sphere, in Plane plane)
+    private static TransitionState ValidateViewer(Transition transition, in Sphere sphere, in Plane plane, uint cellId)
     {
+        SpherePath path = transition.Path;
         double distance = RetailMath.Distance(plane, sphere.Center) - sphere.Radius;
         if (distance > -RetailMath.Epsilon) return TransitionState.OK;
         Vector3 movement = sphere.Center - path.GlobalCurrCenters[0];
@@ -85,8 +94,10 @@ internal static class GroundObstacle
         bool beganIndoors = path.HasBegin && !CellIds.IsOutdoor(path.BeginPos.CellId);
         if ((t <= 0 || t > 1) && beganIndoors) return TransitionState.OK;
         path.AddOffsetToCheckPos(RetailMath.Scale(movement, -t));
-        collision.SetCollisionNormal(plane.Normal);
-        collision.CollidedWithEnvironment = true;
+        transition.Collision.SetCollisionNormal(plane.Normal);
+        transition.Collision.CollidedWithEnvironment = true;
+        transition.Trace?.HitGround(transition, plane, cellId, distance, TraceReason.RunInto);
+        transition.Trace?.Responded(transition, TransitionResponse.Stop, plane.Normal, true);
         return TransitionState.Adjusted;
     }
 }

@@ -1,4 +1,5 @@
 using Surefoot.Physics.Assets;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.World;
 

@@ -1,4 +1,5 @@
 using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Decisions;
 
 namespace Surefoot.Physics.Transitions.Obstacles;
 
@@ -12,16 +13,18 @@ internal static class ObjectObstacle
         ObjectInfo mover = transition.Object;
         SpherePath path = transition.Path;
         bool ethereal = target.State.Has(PhysicsState.Ethereal), isStatic = target.State.Has(PhysicsState.Static);
-        if (ethereal && target.State.Has(PhysicsState.IgnoreCollisions)) return TransitionState.OK;
-        if (mover.Has(MoverFlags.IsViewer) && (target.Weenie & WeenieTraits.Creature) != 0) return TransitionState.OK;
+        if (ethereal && target.State.Has(PhysicsState.IgnoreCollisions)) return Skip(TraceReason.IgnoresCollisions);
+        if (mover.Has(MoverFlags.IsViewer) && (target.Weenie & WeenieTraits.Creature) != 0) return Skip(TraceReason.IgnoredCreature);
 
         bool soft = ethereal || (mover.Ethereal && !isStatic);
-        if (soft && path.StepDown) return TransitionState.OK;
+        if (soft && path.StepDown) return Skip(TraceReason.Ethereal);
         path.ObstructionEthereal = soft;
         bool creature = target.State.Has(PhysicsState.Missile) || (target.Weenie & WeenieTraits.Creature) != 0;
-        TransitionState state = PassesPlayer(target, mover) || mover.MissileIgnores(target)
-            ? TransitionState.OK
-            : target.Setup?.FindCollisions(transition, target, creature) ?? TransitionState.OK;
+        transition.Trace?.Asks(target);
+        TraceReason passed = PassesPlayer(target, mover) ? TraceReason.PassedPlayer
+            : mover.MissileIgnores(target) ? TraceReason.PassedByMissile
+            : target.Setup is null ? TraceReason.NoShape : TraceReason.None;
+        TransitionState state = passed == TraceReason.None ? target.Setup!.FindCollisions(transition, target, creature) : TransitionState.OK;
 
         if (state != TransitionState.OK && !path.StepDown)
         {
@@ -33,6 +36,7 @@ internal static class ObjectObstacle
             {
                 if (soft || (creature && mover.Has(MoverFlags.IgnoreCreatures)))
                 {
+                    passed = soft ? TraceReason.Ethereal : TraceReason.IgnoredCreature;
                     state = TransitionState.OK;
                     transition.Collision.CollisionNormalValid = false;
                 }
@@ -42,7 +46,14 @@ internal static class ObjectObstacle
         }
 
         path.ObstructionEthereal = false;
+        transition.Trace?.ObjectAnswered(transition, target, state, passed);
         return state;
+
+        TransitionState Skip(TraceReason reason)
+        {
+            transition.Trace?.Skipped(transition, target, reason);
+            return TransitionState.OK;
+        }
     }
 
     /// <summary>Ordinary players pass through each other; killers of the same kind do not, nor do the impenetrable.</summary>

@@ -1,6 +1,7 @@
 using System.Numerics;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.World;
 
@@ -32,7 +33,13 @@ internal static class SetupObstacle
                 GfxObjAsset mesh = setup.Parts[i].Mesh;
                 if (mesh.Physics is null) continue;
                 float partScale = (float)((double)setup.Parts[i].DefaultScale.Z * scale);
-                if (IsFarAway(transition.Path, position.CellId, target.PartOrigin(i), Math.Abs((double)partScale) * (mesh.PhysicsReach + FarMargin))) continue;
+                if (IsFarAway(transition.Path, position.CellId, target.PartOrigin(i), Math.Abs((double)partScale) * (mesh.PhysicsReach + FarMargin)))
+                {
+                    transition.Trace?.SkippedPart(transition, i);
+                    continue;
+                }
+
+                transition.Trace?.AsksPart(i);
                 TransitionState state = mesh.FindCollisions(transition, new Position(position.CellId, target.PartFrame(i)), partScale);
                 if (state != TransitionState.OK) return state;
             }
@@ -46,8 +53,13 @@ internal static class SetupObstacle
             if (state != TransitionState.OK) return state;
         }
 
-        if (setup.Cylinders.Length > 0 || IsFarAway(transition.Path, position.CellId, position.Frame.Origin, Math.Abs((double)scale) * setup.SpheresReach))
+        if (setup.Cylinders.Length > 0) return TransitionState.OK;
+        if (IsFarAway(transition.Path, position.CellId, position.Frame.Origin, Math.Abs((double)scale) * setup.SpheresReach))
+        {
+            transition.Trace?.Skipped(transition, target, TraceReason.TooFar);
             return TransitionState.OK;
+        }
+
         foreach (ref readonly Sphere sphere in setup.Spheres)
         {
             TransitionState state = BallObstacle.IntersectsSphere(transition, position, scale, sphere, creature);
