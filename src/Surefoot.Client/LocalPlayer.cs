@@ -2,6 +2,7 @@ using System.Numerics;
 using Surefoot.Physics;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.World;
 using Surefoot.Protocol.Messages;
@@ -69,9 +70,11 @@ public sealed class LocalPlayer
         ArgumentNullException.ThrowIfNull(server);
         PhysicsBody body = engine.CreateBody(
             id, setup, PhysicsState.Default, WeenieTraits.Present | WeenieTraits.Creature | WeenieTraits.Player);
+        options ??= new LocalPlayerOptions();
+        body.Trace = options.Trace;
         try
         {
-            LocalPlayer player = new(engine, body, table, server, options ?? new LocalPlayerOptions());
+            LocalPlayer player = new(engine, body, table, server, options);
             server.Receive(engine.Now, player.messages);
             if (body.EnterWorld(position)) return player;
         }
@@ -135,4 +138,7 @@ public sealed record LocalPlayerOptions
 
     /// <summary>Looks on at what the client sends; null for nobody.</summary>
     public IMovementObserver? Observer { get; init; }
+
+    /// <summary>Is told each decision when the body is swept or placed, from its coming into the world on; null for nobody.</summary>
+    public TraceBuffer? Trace { get; init; }
 }

@@ -1,5 +1,6 @@
 using System.Numerics;
 using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.World;
 
@@ -89,6 +90,26 @@ public sealed class AllocationTests(DemoFiles files) : IClassFixture<DemoFiles>
         Position place = walk.Position;
         place.Frame.Origin += new Vector3(3, 4, 0);
         Assert.Equal(0, Allocated(() => walk.Body.Probe(place)));
+    }
+
+    [Theory]
+    [Behaviour("performance.trace-allocates-nothing", "design.md, decisions 4 and 6")]
+    [InlineData("forest")]
+    [InlineData("long-stair")]
+    public void Telling_decisions_allocates_nothing_once_the_buffer_has_grown(string place)
+    {
+        DemoWalk walk = new(files, place, new CharacterStats(300, 300));
+        TraceBuffer trace = walk.Body.Trace = new TraceBuffer();
+        Action step = Repeated(walk, SeatOf(walk.Body, walk.Position, Vector3.Zero, walk.Body.Transient), 50);
+        walk.Hold(MovementKeys.Forward, 2);
+        int most = 0;
+        Assert.Equal(0, Allocated(() =>
+        {
+            trace.Clear();
+            step();
+            most = Math.Max(most, trace.Count);
+        }));
+        Assert.True(most > 10);
     }
 
     /// <summary>Steps that begin again from a seat every so often.</summary>

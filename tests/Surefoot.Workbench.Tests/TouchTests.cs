@@ -2,7 +2,6 @@ using System.Numerics;
 using Microsoft.Extensions.Logging.Abstractions;
 using Surefoot.Dats;
 using Surefoot.DemoWorld;
-using Surefoot.Physics.Geometry;
 using Surefoot.Physics.World;
 using Surefoot.Workbench.Simulation;
 using Surefoot.Workbench.Wire;
@@ -49,6 +48,22 @@ public sealed class TouchTests : IDisposable
         Assert.Equal((TouchKind.Room, player.Pose.CellId), (wall.Kind, wall.Id));
         Assert.Equal(0, wall.Normal.Z, 0.01f);
         Assert.Contains(player.Touches, touch => touch.IsFooting);
+    }
+
+    [Fact]
+    [Behaviour("workbench.touches.held-along-a-wall", "spec/03, 4.6 adjust_offset: a sweep that is bent along a wall does not meet it")]
+    public void Who_runs_along_a_wall_touches_it_at_every_step()
+    {
+        IWorkbenchPlayer player = Enter("house-hall");
+        player.SetKeys(PlayerKeys.SidestepLeft, now);
+        Pass(4);
+        player.SetKeys(PlayerKeys.SidestepLeft | PlayerKeys.Forward | PlayerKeys.Walk, now);
+        Pass(0.25);
+        for (int i = 0; i < 40; i++)
+        {
+            Pass(Turn);
+            Assert.Contains(player.Touches, touch => touch is { IsFooting: false, Kind: TouchKind.Room });
+        }
     }
 
     [Fact]
@@ -130,17 +145,6 @@ public sealed class TouchTests : IDisposable
         }
 
         Assert.True(met);
-    }
-
-    [Fact]
-    [Behaviour("workbench.touches.nearest-point-of-a-polygon", "worked by hand")]
-    public void The_nearest_point_of_a_polygon_is_inside_on_an_edge_or_at_a_corner()
-    {
-        Vector3[] corners = [new(0, 0, 0), new(2, 0, 0), new(2, 2, 0), new(0, 2, 0)];
-        ConvexPolygon square = new(ConvexPolygon.MakePlane(corners), corners);
-        Assert.Equal(new Vector3(1, 0.5f, 0), SurfacePoints.Nearest(square, new Vector3(1, 0.5f, 3)));
-        Assert.Equal(new Vector3(2, 1, 0), SurfacePoints.Nearest(square, new Vector3(4, 1, 1)));
-        Assert.Equal(new Vector3(0, 2, 0), SurfacePoints.Nearest(square, new Vector3(-1, 5, -1)));
     }
 
     private IWorkbenchPlayer Enter(string place)

@@ -53,7 +53,7 @@ internal interface IWorkbenchPlayer
     /// <summary>State after the last step.</summary>
     PlayerPose Pose { get; }
 
-    /// <summary>What it stands on, if anything, and what it touches or touched a moment ago.</summary>
+    /// <summary>What it stands on, if anything, and what it touches.</summary>
     IReadOnlyList<Touch> Touches { get; }
 
     /// <summary>The keys held from now on.</summary>

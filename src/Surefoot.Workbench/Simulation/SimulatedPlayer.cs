@@ -1,6 +1,7 @@
 using System.Numerics;
 using Surefoot.Client;
 using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.World;
 using Surefoot.Protocol.Messages;
@@ -10,7 +11,9 @@ using Surefoot.Workbench.Wire;
 namespace Surefoot.Workbench.Simulation;
 
 /// <summary>A page's player in the physics: keys go to its controller, what the page shows is read off its body.</summary>
-internal sealed class SimulatedPlayer(LoopbackServer server) : IWorkbenchPlayer, IMovementObserver
+/// <param name="server">Its server.</param>
+/// <param name="nameOf">Names a body by its id.</param>
+internal sealed class SimulatedPlayer(LoopbackServer server, Func<uint, (TouchKind Kind, string Name)> nameOf) : IWorkbenchPlayer, IMovementObserver
 {
     /// <summary>Strength of every player; its capacity is what the burden slider is measured against.</summary>
     public const int Strength = 100;
@@ -20,14 +23,10 @@ internal sealed class SimulatedPlayer(LoopbackServer server) : IWorkbenchPlayer,
     // A browser reports its pointer once a frame, and a hand's width should turn half round.
     private const float PointerSensitivity = 1f;
 
-    // Whoever runs along a wall meets it in every second or third step only; seconds.
-    private const double TouchHolds = 0.25;
-
     private readonly Queue<PlayerEvent> events = [];
     private readonly SpeedMeter speed = new();
-    private readonly List<Touch> found = [];
     private readonly List<Touch> touches = [];
-    private readonly List<(Touch Touch, double At)> recent = [];
+    private readonly TouchReader reader = new(nameOf);
     private LocalPlayer? player;
     private SimulatedWorld? world;
     private uint settledCell;
@@ -36,6 +35,9 @@ internal sealed class SimulatedPlayer(LoopbackServer server) : IWorkbenchPlayer,
     private bool airborne;
     private float fallSpeed;
     private float runRate = 1f;
+
+    /// <summary>What the player's body is to tell its decisions to.</summary>
+    public TraceBuffer Trace { get; } = new();
 
     /// <inheritdoc/>
     public PlayerPose Pose { get; private set; }
@@ -176,23 +178,9 @@ internal sealed class SimulatedPlayer(LoopbackServer server) : IWorkbenchPlayer,
             state.SidestepCommand == MotionCommand.None ? 0 : state.SidestepSpeed,
             state.TurnCommand == MotionCommand.None ? 0 : state.TurnSpeed,
             teleports);
-        ObserveTouches(now);
-    }
-
-    private void ObserveTouches(double now)
-    {
-        world?.FindTouches(Player.Body, found);
-        foreach (Touch touch in found)
-        {
-            if (touch.IsFooting) continue;
-            recent.RemoveAll(one => one.Touch.Kind == touch.Kind && one.Touch.Id == touch.Id);
-            recent.Add((touch, now));
-        }
-
-        recent.RemoveAll(one => one.At < now - TouchHolds);
-        touches.Clear();
-        touches.AddRange(found.FindAll(touch => touch.IsFooting));
-        foreach ((Touch touch, _) in recent) touches.Add(touch);
+        reader.Read(Trace);
+        if (body.HasCell) reader.CopyTo(touches);
+        else touches.Clear();
     }
 
     void IMovementObserver.OnJump(in Jump message, double now) => Happen(new PlayerEvent(PlayerEventKind.Jumped, now, message.Extent));

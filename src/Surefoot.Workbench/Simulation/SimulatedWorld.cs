@@ -34,7 +34,6 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     private readonly SetupAsset human;
     private readonly MotionTableAsset humanMotions;
     private readonly Inhabitants inhabitants;
-    private readonly TouchFinder touches;
     private readonly ILogger logger;
     private readonly List<SimulatedPlayer> players = [];
     private readonly List<uint> leaving = [];
@@ -60,7 +59,6 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
         human = cache.GetSetup(HumanSetup);
         humanMotions = MotionTableLoader.Load(dats, HumanMotionTable);
         inhabitants = new Inhabitants(engine, cache, spawns, WandererSeed);
-        touches = new TouchFinder(NameOf);
         Places = [.. places.Where(place => dats.TryRead((place.CellId & 0xFFFF0000) | 0xFFFF, out _)).Select(OnGround)];
         if (Places.Count == 0) Places = [OnGround(KnownPlaces.Somewhere(dats))];
     }
@@ -79,9 +77,9 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     {
         LoadAround(place.CellId, 1);
         LoopbackServer server = new(id, SimulatedPlayer.StatsOf(settings), engine.Now, ServerLatency);
-        SimulatedPlayer player = new(server);
+        SimulatedPlayer player = new(server, NameOf);
         LocalPlayer? spawned = LocalPlayer.Spawn(
-            engine, id, human, humanMotions, SimulatedPlayer.PositionOf(place), server, new LocalPlayerOptions { Observer = player });
+            engine, id, human, humanMotions, SimulatedPlayer.PositionOf(place), server, new LocalPlayerOptions { Observer = player, Trace = player.Trace });
         player.Enter(spawned ?? throw new InvalidOperationException($"There is no room for a player at {place.Name}."), this, now);
         players.Add(player);
         return player;
@@ -182,9 +180,6 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     /// <summary>The nearest door within a player's reach opens, or closes.</summary>
     internal void UseDoor(SimulatedPlayer player, double now) => inhabitants.UseDoor(player.Player.Body.Position, now);
 
-    /// <summary>Lists what a body stands on and touches.</summary>
-    internal void FindTouches(PhysicsBody body, List<Touch> into) => touches.Find(body, into);
-
     /// <summary>Loads what a player in this cell may reach; before it is put there.</summary>
     internal void LoadAround(uint cellId, int radius)
     {
@@ -206,8 +201,8 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
         foreach (uint blockId in leaving) land.UnloadLandblock(blockId);
     }
 
-    private (TouchKind Kind, string Name) NameOf(WorldObject body) =>
-        inhabitants.Find(body.Id) is { } one ? (TouchKind.Body, one.Name) : (TouchKind.Player, $"player {body.Id}");
+    private (TouchKind Kind, string Name) NameOf(uint bodyId) =>
+        inhabitants.Find(bodyId) is { } one ? (TouchKind.Body, one.Name) : (TouchKind.Player, $"player {bodyId}");
 
     private static bool IsNear(uint blockId, uint cellId) =>
         Math.Abs((int)(blockId >> 24) - (int)(cellId >> 24)) <= KeepRadius &&

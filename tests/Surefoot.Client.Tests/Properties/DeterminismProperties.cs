@@ -4,6 +4,7 @@ using Surefoot.DemoWorld;
 using Surefoot.Physics;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.World;
@@ -72,6 +73,22 @@ public sealed class DeterminismProperties(DemoFiles files) : IClassFixture<DemoF
         Assert.Contains(alone, answer => answer.LosesVelocity);
         Assert.Equal(before, walk.Body.Engine.HashState());
     }
+
+    [Fact]
+    [Behaviour("properties.trace-same-bits", "design.md, decision 6")]
+    public void Whoever_listens_changes_no_bit() =>
+        Trip.Any.Sample(
+            trip =>
+            {
+                ulong[] silent = Hashes(trip), told = [];
+                grounds.Visit(trip, journey =>
+                {
+                    foreach (PhysicsBody body in journey.Engine.Bodies) body.Trace = new TraceBuffer(limit: 64);
+                    told = Hashes(journey);
+                });
+                Assert.Equal(silent, told);
+            },
+            iter: Fuzz.Cases(300));
 
     private static Position Ahead(PhysicsBody body, float direction, float way)
     {
