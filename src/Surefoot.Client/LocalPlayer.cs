@@ -4,6 +4,7 @@ using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Motion;
+using Surefoot.Physics.Steering;
 using Surefoot.Physics.World;
 using Surefoot.Protocol.Messages;
 using Surefoot.Protocol.Session;

@@ -4,6 +4,7 @@ using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
+using Surefoot.Physics.Steering;
 using Surefoot.Physics.Transitions;
 using Surefoot.Physics.World;
 
@@ -83,7 +84,7 @@ public sealed class PhysicsEngine
     public void RemoveBody(PhysicsBody body)
     {
         ArgumentNullException.ThrowIfNull(body);
-        body.Movement?.HandleExitWorld();
+        body.ExitWorld();
         body.LeaveWorld();
         bodies.Remove(body);
         if (ReferenceEquals(Player, body)) Player = null;
@@ -167,6 +168,9 @@ public sealed class PhysicsEngine
         statics.AddTo(ref hash);
         return hash.Value;
     }
+
+    /// <summary>What moves a body that does not move by itself.</summary>
+    internal static IBodySteering MakeSteering(PhysicsBody body) => new SteeredPhysicsBody(body);
 
     /// <summary>A number in [-1, 1] from the engine's own seed.</summary>
     internal double NextRoll()

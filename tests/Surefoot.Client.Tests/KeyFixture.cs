@@ -2,6 +2,7 @@ using System.Numerics;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
+using Surefoot.Physics.Steering;
 using Surefoot.Physics.Tests.Motion;
 using Surefoot.Physics.World;
 using Surefoot.Protocol.Messages;

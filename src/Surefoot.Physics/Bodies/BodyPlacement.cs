@@ -172,7 +172,7 @@ public sealed partial class PhysicsBody
         return PlacementResult.OK;
     }
 
-    private static void ThrowIfBad(in Position position)
+    internal static void ThrowIfBad(in Position position)
     {
         ThrowIfNotFinite(position.Frame.Origin, nameof(position));
         if (!position.Frame.IsValid) throw new ArgumentException("The orientation is not a unit quaternion.", nameof(position));

@@ -33,29 +33,20 @@ public interface IBodyMovement
     /// </summary>
     ReadOnlySpan<Frame> PartFrames => [];
 
-    /// <summary>Called after the quantum was committed: pending motions and animations are looked at.</summary>
+    /// <summary>Called after the quantum was committed: a move-to goes on, then pending motions and animations are looked at.</summary>
     void UseTime();
+
+    /// <summary>Moves or turns to a place or an object by itself.</summary>
+    bool IsMovingTo => false;
+
+    /// <summary>Ends a move-to or turn-to under way.</summary>
+    void CancelMoveTo()
+    {
+    }
 
     /// <summary>The body came into the world: links are dropped.</summary>
     void HandleEnterWorld();
 
     /// <summary>The body leaves the world: everything pending ends.</summary>
     void HandleExitWorld();
-}
-
-/// <summary>Adjusts the motion of a quantum towards where a server says the body is.</summary>
-/// <remarks>Retail: PositionManager (interpolation, sticky, constraint).</remarks>
-public interface IPositionManager
-{
-    /// <summary>May replace or scale the motion of one quantum, in the body's own frame.</summary>
-    void AdjustOffset(ref Frame offset, float quantum);
-
-    /// <summary>Called after the quantum was committed.</summary>
-    void UseTime();
-
-    /// <summary>A server's correction holds the body in place: it may not jump.</summary>
-    bool IsFullyConstrained { get; }
-
-    /// <summary>The body was teleported: whatever is pending ends.</summary>
-    void Stop();
 }

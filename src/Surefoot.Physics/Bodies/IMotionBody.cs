@@ -40,4 +40,14 @@ public interface IMotionBody
 
     /// <summary>Writes the on-walkable bit, calls <c>HitGround</c> or <c>LeaveGround</c> of the motion side, renews the acceleration.</summary>
     void SetOnWalkable(bool on);
+
+    /// <summary>Ends a move-to or turn-to under way.</summary>
+    void CancelMoveTo()
+    {
+    }
+
+    /// <summary>Lets go of what the body sticks to.</summary>
+    void Unstick()
+    {
+    }
 }

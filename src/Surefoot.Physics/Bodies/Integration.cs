@@ -39,7 +39,9 @@ public sealed partial class PhysicsBody
 
         if (engine.Player is { } player)
         {
-            if (player.Position.DistanceTo(PositionField) > ActivityRadius) Transient &= ~TransientState.Active;
+            double distance = player.Position.DistanceTo(PositionField);
+            PlayerDistance = (float)distance;
+            if (distance > ActivityRadius) Transient &= ~TransientState.Active;
             else SetActive(true);
         }
 
@@ -122,8 +124,10 @@ public sealed partial class PhysicsBody
             TryProposal(proposal, quantum, simulatedTime);
         }
 
+        // The order is retail's: targets, move-to and pending motions, then blips and the end of sticking.
+        Steering?.HandleTargetting(simulatedTime);
         Movement?.UseTime();
-        PositionManager?.UseTime();
+        Steering?.UseTime();
     }
 
     private void TryProposal(in Position proposal, float quantum, double simulatedTime)
@@ -183,7 +187,7 @@ public sealed partial class PhysicsBody
             offset.Origin = RetailMath.Scale(offset.Origin, OnWalkable ? Scale : 0.0);
         }
 
-        PositionManager?.AdjustOffset(ref offset, quantum);
+        Steering?.AdjustOffset(ref offset, quantum);
         Frame proposal = Frame.Combine(PositionField.Frame, offset);
         if (!hidden) UpdatePhysicsInternal(quantum, ref proposal);
         ProcessHooks(simulatedTime);

@@ -101,18 +101,6 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody, IHookTarget
     /// <summary>The side that wants to move; null for a body without motions.</summary>
     public IBodyMovement? Movement { get; private set; }
 
-    /// <summary>Adjusts motion towards a server's positions; null without one. Giving the body one wakes it.</summary>
-    /// <remarks>Retail: CPhysicsObj::MakePositionManager, which wakes the body each time it is asked for.</remarks>
-    public IPositionManager? PositionManager
-    {
-        get;
-        set
-        {
-            field = value;
-            if (value is not null) SetActive(true);
-        }
-    }
-
     /// <summary>Is told of collisions.</summary>
     public ICollisionListener? Listener { get; set; }
 
@@ -129,7 +117,7 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody, IHookTarget
     public bool HasCell => Cell is not null;
 
     /// <inheritdoc/>
-    public bool IsFullyConstrained => PositionManager is { IsFullyConstrained: true };
+    public bool IsFullyConstrained => Steering is { IsFullyConstrained: true };
 
     /// <summary>The engine the body lives in.</summary>
     public PhysicsEngine Engine => engine;

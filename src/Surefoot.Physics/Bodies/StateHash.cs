@@ -1,4 +1,5 @@
 using System.Numerics;
+using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Bodies;
 
@@ -17,6 +18,17 @@ internal struct StateHash()
     }
 
     internal void Add(float value) => Add(BitConverter.SingleToUInt32Bits(value));
+
+    internal void Add(double value) => Add(BitConverter.DoubleToUInt64Bits(value));
+
+    internal void Add(in Position value)
+    {
+        Add(value.CellId);
+        Add(value.Frame.Origin);
+        Quaternion q = value.Frame.Rotation;
+        Add(new Vector3(q.X, q.Y, q.Z));
+        Add(q.W);
+    }
 
     internal void Add(in Vector3 value)
     {
@@ -42,15 +54,14 @@ public sealed partial class PhysicsBody
         hash.Add(Id);
         hash.Add((ulong)State);
         hash.Add((ulong)Transient);
-        hash.Add(PositionField.CellId);
-        hash.Add(PositionField.Frame.Origin);
-        hash.Add(PositionField.Frame.Rotation);
+        hash.Add(PositionField);
         hash.Add(velocity);
         hash.Add(omega);
         hash.Add(contactPlane.Normal);
         hash.Add(contactPlane.D);
         hash.Add(ContactPlaneCellId);
         hash.Add(SlidingNormal);
-        hash.Add(BitConverter.DoubleToUInt64Bits(updateTime));
+        hash.Add(updateTime);
+        Steering?.AddTo(ref hash);
     }
 }

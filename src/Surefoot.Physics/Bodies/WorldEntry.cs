@@ -38,11 +38,20 @@ public sealed partial class PhysicsBody
         ClearTransientStates();
     }
 
-    /// <summary>What a teleport ends: touches, corrections under way.</summary>
+    /// <summary>Leaves the world for good: what is pending fails, whoever tracks the body is told, every touch ends.</summary>
+    /// <remarks>Retail: CPhysicsObj::exit_world @0x00514E60.</remarks>
+    internal void ExitWorld()
+    {
+        Movement?.HandleExitWorld();
+        Steering?.HandleExitWorld();
+        ReportCollisionEnd(updateTime, force: true);
+    }
+
+    /// <summary>What a teleport ends: a move-to, corrections under way, sticking, tracking, touches.</summary>
     /// <remarks>Retail: CPhysicsObj::teleport_hook @0x00514ED0.</remarks>
     public void TeleportHook()
     {
-        PositionManager?.Stop();
+        Steering?.HandleTeleport();
         ReportCollisionEnd(updateTime, force: true);
     }
 

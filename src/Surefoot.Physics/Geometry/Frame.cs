@@ -140,6 +140,11 @@ public struct Frame : IEquatable<Frame>
         return result;
     }
 
+    /// <summary>The orientation of <paramref name="other"/> seen from inside this frame.</summary>
+    /// <remarks>Retail: Frame::subtract2 @0x00535650.</remarks>
+    internal readonly Quaternion RelativeRotation(in Frame other) =>
+        Multiply(new Quaternion(-rotation.X, -rotation.Y, -rotation.Z, rotation.W), other.rotation);
+
     /// <summary>Turns by a rotation vector (radians) given in the axes around the frame; nothing when it is shorter than the tolerance.</summary>
     /// <remarks>Retail: Frame::grotate.</remarks>
     public void RotateGlobal(in Vector3 radians)
@@ -199,10 +204,10 @@ public struct Frame : IEquatable<Frame>
     public void SetVectorHeading(Vector3 direction)
     {
         if (RetailMath.NormalizeCheckSmall(ref direction)) return;
-        double yaw = -HeadingOf(direction) * Math.PI / 180.0;
-        double pitch = Math.Asin(direction.Z);
-        Quaternion aboutZ = new(0, 0, (float)Math.Sin(yaw / 2), (float)Math.Cos(yaw / 2));
-        Quaternion aboutX = new((float)Math.Sin(pitch / 2), 0, 0, (float)Math.Cos(pitch / 2));
+        // The angles pass as a vector, which holds floats.
+        float yaw = (float)(-HeadingOf(direction) * Math.PI / 180.0), pitch = (float)Math.Asin(direction.Z);
+        Quaternion aboutZ = new(0, 0, (float)Math.Sin(yaw / 2.0), (float)Math.Cos(yaw / 2.0));
+        Quaternion aboutX = new((float)Math.Sin(pitch / 2.0), 0, 0, (float)Math.Cos(pitch / 2.0));
         SetRotation(Multiply(aboutZ, aboutX));
     }
 
@@ -244,7 +249,8 @@ public struct Frame : IEquatable<Frame>
             return false;
         }
 
-        double angle = Math.Sqrt(squared), k = Math.Sin(angle / 2) / angle;
+        // The inverse length is kept in a float.
+        double angle = Math.Sqrt(squared), k = (float)(1.0 / angle) * Math.Sin(angle / 2);
         q = new Quaternion((float)(radians.X * k), (float)(radians.Y * k), (float)(radians.Z * k), (float)Math.Cos(angle / 2));
         return true;
     }

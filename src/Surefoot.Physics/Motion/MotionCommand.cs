@@ -122,8 +122,23 @@ public enum MotionError : uint
     /// <summary>There is no body.</summary>
     NoBody = 0x08,
 
+    /// <summary>There is no motion interpreter.</summary>
+    NoInterpreter = 0x0B,
+
     /// <summary>The body does not stand on the ground.</summary>
     NotOnGround = 0x24,
+
+    /// <summary>A move-to was ended by something else.</summary>
+    Cancelled = 0x36,
+
+    /// <summary>The object that was moved to is gone.</summary>
+    TargetGone = 0x37,
+
+    /// <summary>Nothing was heard of the object to move to.</summary>
+    NoTarget = 0x38,
+
+    /// <summary>A move-to led farther than it may.</summary>
+    ChargedTooFar = 0x3D,
 
     /// <summary>No crouching in combat.</summary>
     NoCrouchInCombat = 0x3F,

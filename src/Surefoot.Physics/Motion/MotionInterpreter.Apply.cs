@@ -103,7 +103,7 @@ public sealed partial class MotionInterpreter
         ThrowIfNotFinite(state);
 
         Raw.CurrentStyle = state.CurrentStyle;
-        Interruption?.CancelMoveTo();
+        body?.CancelMoveTo();
         bool disallowJump = MotionAllowsJump(Interpreted.ForwardCommand) != MotionError.None;
         Interpreted.CopyMovementFrom(state);
         ApplyCurrentMovement(cancelMoveTo: true, disallowJump);

@@ -33,7 +33,7 @@ public sealed partial class MotionInterpreter
     {
         if (!float.IsFinite(extent)) throw new ArgumentException("The extent of a jump is not finite.", nameof(extent));
         if (body is null) return MotionError.NoBody;
-        Interruption?.CancelMoveTo();
+        body.CancelMoveTo();
         MotionError error = JumpIsAllowed(extent);
         if (error != MotionError.None)
         {

@@ -1,6 +1,8 @@
 namespace Surefoot.Physics.Motion;
 
-/// <summary>What is asked of <see cref="MotionInterpreter.PerformMovement"/>; the numbers are retail's.</summary>
+/// <summary>
+/// What is asked of a body's motion side; the numbers are retail's. <see cref="MotionInterpreter.PerformMovement"/> does the first five.
+/// </summary>
 public enum MovementKind
 {
     /// <summary>A motion as a key names it.</summary>
@@ -17,6 +19,18 @@ public enum MovementKind
 
     /// <summary>The end of everything.</summary>
     StopCompletely = 5,
+
+    /// <summary>A way to an object.</summary>
+    MoveToObject = 6,
+
+    /// <summary>A way to a place.</summary>
+    MoveToPosition = 7,
+
+    /// <summary>A turn to face an object.</summary>
+    TurnToObject = 8,
+
+    /// <summary>A turn to a heading.</summary>
+    TurnToHeading = 9,
 }
 
 /// <content>Single motions.</content>
@@ -53,7 +67,7 @@ public sealed partial class MotionInterpreter
         ThrowIfNotFinite(p.Speed, nameof(p));
         MovementParameters q = p;
         bool cancel = p.Has(MovementFlags.CancelMoveTo);
-        if (cancel) Interruption?.CancelMoveTo();
+        if (cancel) body.CancelMoveTo();
         if (p.Has(MovementFlags.SetHoldKey)) SetHoldKey(p.HoldKey, cancel);
         MotionCommand normalised = motion;
         AdjustMotion(ref normalised, ref q.Speed, p.HoldKey);
@@ -79,7 +93,7 @@ public sealed partial class MotionInterpreter
         if (body is null) return MotionError.NoBody;
         ThrowIfNotFinite(p.Speed, nameof(p));
         MovementParameters q = p;
-        if (p.Has(MovementFlags.CancelMoveTo)) Interruption?.CancelMoveTo();
+        if (p.Has(MovementFlags.CancelMoveTo)) body.CancelMoveTo();
         MotionCommand normalised = motion;
         AdjustMotion(ref normalised, ref q.Speed, p.HoldKey);
         MotionError error = StopInterpretedMotion(normalised, q);
@@ -148,7 +162,7 @@ public sealed partial class MotionInterpreter
     public MotionError StopCompletely()
     {
         if (body is null) return MotionError.NoBody;
-        Interruption?.CancelMoveTo();
+        body.CancelMoveTo();
         MotionError jumpError = MotionAllowsJump(Interpreted.ForwardCommand);
         (Raw.ForwardCommand, Raw.ForwardSpeed) = (MotionCommand.Ready, 1f);
         Raw.SidestepCommand = Raw.TurnCommand = MotionCommand.None;

@@ -2,16 +2,6 @@ using Surefoot.Physics.Bodies;
 
 namespace Surefoot.Physics.Motion;
 
-/// <summary>What the motion interpreter ends when a new motion begins.</summary>
-public interface IMotionInterruption
-{
-    /// <summary>Ends a move-to under way.</summary>
-    void CancelMoveTo();
-
-    /// <summary>Lets go of what the body sticks to.</summary>
-    void Unstick();
-}
-
 /// <summary>A motion that is not done yet.</summary>
 /// <param name="ContextId">Identifies the request.</param>
 /// <param name="Motion">The motion.</param>
@@ -50,9 +40,6 @@ public sealed partial class MotionInterpreter
     /// <summary>What the game knows of the body, or null.</summary>
     public IWeenieObj? Weenie => weenie;
 
-    /// <summary>What is ended when a new motion begins; null when the body neither moves to nor sticks to anything.</summary>
-    public IMotionInterruption? Interruption { get; set; }
-
     /// <summary>What the player asks for.</summary>
     public RawMotionState Raw { get; } = new();
 
@@ -69,7 +56,7 @@ public sealed partial class MotionInterpreter
     public float JumpExtent { get; private set; }
 
     /// <summary>Run rate a server told, used when the weenie does not know its own.</summary>
-    public float MyRunRate { get; private set; } = 1f;
+    public float MyRunRate { get; internal set; } = 1f;
 
     /// <summary>Factor between the forward speed and the run rate; 1 in play.</summary>
     public float CurrentSpeedFactor { get; } = 1f;
@@ -130,7 +117,7 @@ public sealed partial class MotionInterpreter
         if (body is null || pending.Count == 0) return;
         if (pending[0].Motion.IsAction())
         {
-            Interruption?.Unstick();
+            body.Unstick();
             Interpreted.RemoveAction();
             Raw.RemoveAction();
         }
@@ -158,7 +145,7 @@ public sealed partial class MotionInterpreter
         for (int i = 0; i < state.ActionCount; i++) ThrowIfNotFinite(state.GetAction(i).Speed, nameof(state));
     }
 
-    private static void ThrowIfNotFinite(float value, string name)
+    internal static void ThrowIfNotFinite(float value, string name)
     {
         if (!float.IsFinite(value)) throw new ArgumentException($"The speed {value} is not finite.", name);
     }

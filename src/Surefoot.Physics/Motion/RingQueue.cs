@@ -4,8 +4,12 @@ namespace Surefoot.Physics.Motion;
 internal sealed class RingQueue<T>
     where T : struct
 {
-    private T[] items = [];
+    private T[] items;
     private int head;
+
+    /// <summary>An empty queue.</summary>
+    /// <param name="capacity">Items it has room for at once; a power of two, or 0.</param>
+    public RingQueue(int capacity = 0) => items = capacity == 0 ? [] : new T[capacity];
 
     /// <summary>Number of items.</summary>
     public int Count { get; private set; }
@@ -35,6 +39,16 @@ internal sealed class RingQueue<T>
         head = (head + 1) & (items.Length - 1);
         Count--;
         return item;
+    }
+
+    /// <summary>The newest item.</summary>
+    public ref T Newest => ref this[Count - 1];
+
+    /// <summary>Takes the newest item off.</summary>
+    public void RemoveNewest()
+    {
+        ArgumentOutOfRangeException.ThrowIfZero(Count);
+        Count--;
     }
 
     /// <summary>Takes everything off.</summary>

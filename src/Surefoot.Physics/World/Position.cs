@@ -113,6 +113,15 @@ public struct Position : IEquatable<Position>
     /// <remarks>Retail: Position::localtolocal @0x004527F0.</remarks>
     public readonly Vector3 LocalToLocal(in Position other, in Vector3 point) => Frame.GlobalToLocal(LocalToGlobal(other, point));
 
+    /// <summary>The frame of <paramref name="other"/> seen from inside this one: combined with this one it gives the other.</summary>
+    /// <remarks>Retail: Position::subtract2 @0x00555A90.</remarks>
+    internal readonly Frame RelativeFrame(in Position other)
+    {
+        Frame relative = new(LocalToLocal(other, Vector3.Zero), Quaternion.Identity);
+        relative.SetRotation(Frame.RelativeRotation(other.Frame));
+        return relative;
+    }
+
     /// <summary>A plane of <paramref name="other"/>'s local frame in this position's block coordinates.</summary>
     /// <remarks>Retail: Plane::localtoglobal @0x005AA0A0; the constant of a scaled obstacle is multiplied by the caller.</remarks>
     public readonly Plane LocalToGlobal(in Position other, in Plane plane)

@@ -1,3 +1,5 @@
+using Surefoot.Tool.Conformance.Steering;
+
 namespace Surefoot.Tool.Conformance;
 
 /// <summary>How much of a scene came out the same.</summary>
@@ -63,11 +65,24 @@ internal sealed class ConformanceReport
             result.Id, $"{result.Family} {result.Tag}", result.Step, StepDifference.Result, result.Departure is null ? difference : $"{difference} ({result.Departure})"));
     }
 
+    /// <summary>Runs of the managers that move other bodies, by family.</summary>
+    internal SortedDictionary<string, ManagerScore> Managers { get; } = new(StringComparer.Ordinal);
+
+    internal void Add(ManagerResult result)
+    {
+        if (!Managers.TryGetValue(result.Family, out ManagerScore? score)) Managers[result.Family] = score = new ManagerScore();
+        score.Add(result);
+        if (result.Difference is not { } difference) return;
+        string tight = result.IsTight ? " (hangs on a last bit)" : "";
+        Divergences.Add(new Divergence(result.Id, $"{result.Family} {result.Tag}", result.Equal, StepDifference.Result, difference + tight));
+    }
+
     internal object ToJson() => new
     {
         FreeRunning = Score(FreeRunning, s => s.Free),
         Reseated = Score(Reseated, s => s.Reseated),
         Oracle,
+        Managers,
     };
 
     private object Score(SceneScore all, Func<(SceneScore Reseated, SceneScore Free), SceneScore> pick) => new
@@ -78,6 +93,44 @@ internal sealed class ConformanceReport
         all.StepsEqual,
         Scenes = scenes.ToDictionary(s => s.Key, s => pick(s.Value)),
     };
+}
+
+/// <summary>How many runs of a family of managers came out the same; those that hang on the last bit of a float are counted apart.</summary>
+internal sealed class ManagerScore
+{
+    /// <summary>Runs replayed.</summary>
+    public int Cases { get; private set; }
+
+    /// <summary>Of those, equal to the end.</summary>
+    public int CasesEqual { get; private set; }
+
+    /// <summary>Their steps.</summary>
+    public int Steps { get; private set; }
+
+    /// <summary>Steps before the first that differs.</summary>
+    public int StepsEqual { get; private set; }
+
+    /// <summary>Runs that hang on a last bit.</summary>
+    public int TightCases { get; private set; }
+
+    /// <summary>Of those, equal to the end.</summary>
+    public int TightCasesEqual { get; private set; }
+
+    internal void Add(ManagerResult result)
+    {
+        int equal = result.Difference is null ? 1 : 0;
+        if (result.IsTight)
+        {
+            TightCases++;
+            TightCasesEqual += equal;
+            return;
+        }
+
+        Cases++;
+        CasesEqual += equal;
+        Steps += result.Steps;
+        StepsEqual += result.Equal;
+    }
 }
 
 /// <summary>How many results of a family came out the same.</summary>

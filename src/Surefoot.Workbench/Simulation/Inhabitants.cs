@@ -5,6 +5,7 @@ using Surefoot.Physics;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Motion;
+using Surefoot.Physics.Steering;
 using Surefoot.Physics.World;
 
 namespace Surefoot.Workbench.Simulation;

@@ -1,0 +1,152 @@
+using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Geometry;
+using Surefoot.Physics.Motion;
+
+namespace Surefoot.Physics.Steering;
+
+/// <summary>
+/// The movement side of a body: its interpreter, its animations, and its move-to manager, which is made with the first order that needs it. What the body tells is
+/// passed on here; what a server says has a file of its own, <c>Orders</c>.
+/// </summary>
+/// <remarks>Retail: MovementManager together with the motion side of CPartArray; specification 09b, 3.</remarks>
+public sealed partial class MovementManager : IBodyMovement
+{
+    private readonly IMotionBody body;
+    private readonly PhysicsBody? steered;
+    private readonly IWeenieObj? weenie;
+    private MotionInterpreter? interpreter;
+
+    /// <summary>The movement side of a body; with a motion table it stands ready. The caller attaches it to the body.</summary>
+    /// <param name="body">The body. One that is no <see cref="PhysicsBody"/> has motions but cannot be ordered anywhere.</param>
+    /// <param name="table">Its motions; null for a body that has none: it then has no interpreter until somebody asks for one.</param>
+    /// <param name="weenie">What the game knows of it; null counts as a creature with run rate 1.</param>
+    /// <remarks>
+    /// Retail: CPhysicsObj::SetMotionTableID @0x00512780. What makes the interpreter puts it into its default state, and
+    /// MovementManager::EnterDefaultState @0x005241C0 does so again: what is pending at first is so twice.
+    /// </remarks>
+    public MovementManager(IMotionBody body, MotionTableAsset? table, IWeenieObj? weenie)
+    {
+        ArgumentNullException.ThrowIfNull(body);
+        this.body = body;
+        this.weenie = weenie;
+        steered = body as PhysicsBody;
+        if (table is null) return;
+        Animation = new MotionTableManager(table);
+        EnterDefaultState();
+    }
+
+    /// <summary>The animations, or null.</summary>
+    public MotionTableManager? Animation { get; }
+
+    /// <summary>There is an interpreter; without one the body ignores what servers say of its motions.</summary>
+    public bool HasInterpreter => interpreter is not null;
+
+    /// <summary>The interpreter. A body without one gets it by being asked, in its default state.</summary>
+    /// <remarks>Retail: MovementManager::get_minterp @0x005242A0.</remarks>
+    public MotionInterpreter Interpreter => interpreter ?? MakeInterpreter();
+
+    /// <summary>Motions wait to be done.</summary>
+    /// <remarks>Retail: MovementManager::motions_pending @0x00524280.</remarks>
+    public bool MotionsPending => interpreter is { MotionsPending: true };
+
+    /// <inheritdoc/>
+    /// <remarks>Retail: MovementManager::IsMovingTo @0x00524260.</remarks>
+    public bool IsMovingTo => MoveTo is { IsMovingTo: true };
+
+    /// <summary>Why the last move-to or turn-to ended; none when it arrived, and before the first.</summary>
+    public MotionError LastMoveToError { get; private set; }
+
+    /// <summary>The move-to manager, or null before the first order.</summary>
+    internal MoveToManager? MoveTo { get; private set; }
+
+    /// <summary>One of the five kinds of single motions; the body wakes first.</summary>
+    /// <exception cref="ArgumentException">The speed is NaN or infinite; nothing has changed.</exception>
+    /// <remarks>Retail: MovementManager::PerformMovement @0x005240D0; its other four kinds are <see cref="MoveToObject"/> and its neighbours.</remarks>
+    public MotionError PerformMovement(MovementKind kind, MotionCommand motion, in MovementParameters parameters)
+    {
+        MotionInterpreter.ThrowIfNotFinite(parameters.Speed, nameof(parameters));
+        steered?.SetActive(true);
+        return Interpreter.PerformMovement(kind, motion, parameters);
+    }
+
+    /// <summary>A motion that the local player asks for: from now on the keys count.</summary>
+    /// <remarks>Retail: CPhysicsObj::DoMotion @0x00510020.</remarks>
+    public MotionError DoMotion(MotionCommand motion, in MovementParameters parameters)
+    {
+        body.LastMoveWasAutonomous = true;
+        return PerformMovement(MovementKind.RawCommand, motion, parameters);
+    }
+
+    /// <summary>The end of a motion that the local player asked for.</summary>
+    /// <remarks>Retail: CPhysicsObj::StopMotion @0x005100D0.</remarks>
+    public MotionError StopMotion(MotionCommand motion, in MovementParameters parameters)
+    {
+        body.LastMoveWasAutonomous = true;
+        return PerformMovement(MovementKind.StopRawCommand, motion, parameters);
+    }
+
+    /// <summary>The end of everything, a move-to included. Whose motion was the last does not change.</summary>
+    /// <remarks>Retail: CPhysicsObj::StopCompletely @0x00510180.</remarks>
+    public MotionError StopCompletely() => PerformMovement(MovementKind.StopCompletely, MotionCommand.None, new MovementParameters());
+
+    /// <summary>Both states to their defaults, the animations to the beginning.</summary>
+    /// <remarks>Retail: MovementManager::EnterDefaultState @0x005241C0.</remarks>
+    public void EnterDefaultState() => Interpreter.EnterDefaultState();
+
+    /// <summary>Stamina ran out or came back: the same motions, at other speeds.</summary>
+    /// <remarks>Retail: MovementManager::ReportExhaustion @0x00524360.</remarks>
+    public void ReportExhaustion() => interpreter?.ReportExhaustion();
+
+    /// <inheritdoc/>
+    /// <remarks>Retail: MovementManager::CancelMoveTo @0x005241B0.</remarks>
+    public void CancelMoveTo() => MoveTo?.Cancel(MotionError.Cancelled);
+
+    /// <inheritdoc/>
+    /// <remarks>Retail: MovementManager::HitGround @0x00524300.</remarks>
+    public void HitGround()
+    {
+        interpreter?.HitGround();
+        MoveTo?.HitGround();
+    }
+
+    /// <inheritdoc/>
+    /// <remarks>Retail: MovementManager::LeaveGround @0x00524320. A move-to goes on when the body is back on the ground.</remarks>
+    public void LeaveGround() => interpreter?.LeaveGround();
+
+    /// <inheritdoc/>
+    public void AccumulateRootMotion(float quantum, ref Frame offset) => Animation?.Update(quantum, ref offset);
+
+    /// <inheritdoc/>
+    public void ProcessHooks(PhysicsBody owner) => Animation?.ProcessHooks(owner);
+
+    /// <inheritdoc/>
+    public ReadOnlySpan<Frame> PartFrames => Animation is null ? [] : Animation.Sequence.PartFrames;
+
+    /// <inheritdoc/>
+    /// <remarks>Retail: MovementManager::UseTime @0x005242F0, then CPartArray::HandleMovement.</remarks>
+    public void UseTime()
+    {
+        MoveTo?.UseTime();
+        Animation?.CheckForCompletedMotions();
+    }
+
+    /// <inheritdoc/>
+    public void HandleEnterWorld() => Animation?.HandleEnterWorld();
+
+    /// <inheritdoc/>
+    /// <remarks>Retail: MovementManager::HandleExitWorld @0x00524350, after that of the part array.</remarks>
+    public void HandleExitWorld()
+    {
+        Animation?.HandleExitWorld();
+        interpreter?.HandleExitWorld();
+    }
+
+    internal void OnMoveToEnded(MotionError error) => LastMoveToError = error;
+
+    private MotionInterpreter MakeInterpreter()
+    {
+        interpreter = new MotionInterpreter(Animation, body, weenie);
+        interpreter.EnterDefaultState();
+        return interpreter;
+    }
+}
