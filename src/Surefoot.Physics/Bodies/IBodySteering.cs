@@ -4,7 +4,8 @@ using Surefoot.Physics.World;
 namespace Surefoot.Physics.Bodies;
 
 /// <summary>
-/// What moves a body that does not move by itself: corrections of a server, sticking to an object, a leash, tracking a target. The body makes it when the
+/// What moves a body that does not move by itself: corrections of a server, sticking to an object, a leash, tracking a target. The body
+/// makes it when the
 /// first of these is asked for and calls it in each quantum.
 /// </summary>
 /// <remarks>Retail: PositionManager and TargetManager as CPhysicsObj calls them.</remarks>

@@ -47,7 +47,8 @@ public enum InstanceAge
 }
 
 /// <summary>
-/// The nine stamps of an object, 16 bits each, that say which message is newer. They wrap around. A test that finds a newer stamp stores it, also when the message
+/// The nine stamps of an object, 16 bits each, that say which message is newer. They wrap around. A test that finds a newer stamp stores
+/// it, also when the message
 /// has no effect after that.
 /// </summary>
 /// <remarks>Retail: CPhysicsObj::update_times; specification 02, 2.7, 08, 4.3 and 09, 5.2.</remarks>
@@ -91,7 +92,9 @@ public struct ObjectStamps : IEquatable<ObjectStamps>
         return instance == own ? InstanceAge.Current : IsNewer(own, instance) ? InstanceAge.Ahead : InstanceAge.Stale;
     }
 
-    /// <summary>May a position act? A repeated or late one may not, nor one from before a teleport, which leaves the position stamp as it was.</summary>
+    /// <summary>
+    /// May a position act? A repeated or late one may not, nor one from before a teleport, which leaves the position stamp as it was.
+    /// </summary>
     /// <param name="position">Position stamp of the message.</param>
     /// <param name="teleport">Teleport stamp of the message.</param>
     /// <param name="teleported">The teleport stamp is newer: the object was teleported there.</param>
@@ -112,7 +115,8 @@ public struct ObjectStamps : IEquatable<ObjectStamps>
     }
 
     /// <summary>
-    /// Does a position of the local player force it there? The position stamp is then taken as it is. A newer correction from before a teleport does not, and stays
+    /// Does a position of the local player force it there? The position stamp is then taken as it is. A newer correction from before a
+    /// teleport does not, and stays
     /// stored.
     /// </summary>
     /// <param name="position">Position stamp of the message.</param>

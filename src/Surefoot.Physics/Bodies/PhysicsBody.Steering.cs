@@ -2,10 +2,14 @@ using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Bodies;
 
-/// <content>What a server makes of the body: corrections, sticking, a leash. The managers behind them are made when the first is asked for.</content>
+/// <content>
+/// What a server makes of the body: corrections, sticking, a leash. The managers behind them are made when the first is asked for.
+/// </content>
 public sealed partial class PhysicsBody
 {
-    /// <summary>Distance from the local player as the last tick found it, metres; the greatest number before the first tick with a player.</summary>
+    /// <summary>
+    /// Distance from the local player as the last tick found it, metres; the greatest number before the first tick with a player.
+    /// </summary>
     public float PlayerDistance { get; private set; } = float.MaxValue;
 
     /// <summary>Moves or turns to a place or an object by itself.</summary>
@@ -47,7 +51,8 @@ public sealed partial class PhysicsBody
     public void ConstrainTo(in Position place, float start, float max)
     {
         ThrowIfBad(place);
-        if (!float.IsFinite(start) || !float.IsFinite(max)) throw new ArgumentException("A length of a leash is not finite.", nameof(start));
+        if (!float.IsFinite(start) || !float.IsFinite(max))
+            throw new ArgumentException("A length of a leash is not finite.", nameof(start));
         MakeSteering().ConstrainTo(place, start, max);
     }
 
@@ -64,7 +69,9 @@ public sealed partial class PhysicsBody
     /// <summary>Ends a move-to or turn-to under way.</summary>
     public void CancelMoveTo() => Movement?.CancelMoveTo();
 
-    /// <summary>Does what a server's position says: teleports, follows, or is put there when far from the local player; then ties the leash anew.</summary>
+    /// <summary>
+    /// Does what a server's position says: teleports, follows, or is put there when far from the local player; then ties the leash anew.
+    /// </summary>
     /// <param name="place">Where the body is to be.</param>
     /// <param name="teleported">The teleport stamp of the message is newer than the one known.</param>
     /// <param name="contact">The body touches the ground there.</param>

@@ -44,8 +44,9 @@ internal sealed class ConstraintManager(SteeredBody body)
         if (!IsConstrained) return;
         if (body.HasContact)
         {
+            float left = (float)(((double)max - PathLength) / ((double)max - start));
             if (PathLength >= max) offset.Origin = Vector3.Zero;
-            else if (PathLength > start) offset.Origin = RetailMath.Scale(offset.Origin, (float)(((double)max - PathLength) / ((double)max - start)));
+            else if (PathLength > start) offset.Origin = RetailMath.Scale(offset.Origin, left);
         }
 
         PathLength = (float)(RetailMath.Length(offset.Origin) + PathLength);

@@ -13,7 +13,10 @@ internal static class Headings
     /// <summary>Half the window within which a body that moves does not turn.</summary>
     private const double Window = 20.0;
 
-    /// <summary>How far <paramref name="motion"/> leads from <paramref name="y"/> to <paramref name="x"/>: clockwise for a right turn, else the other way.</summary>
+    /// <summary>
+    /// How far <paramref name="motion"/> leads from <paramref name="y"/> to <paramref name="x"/>: clockwise for a right turn, else the
+    /// other way.
+    /// </summary>
     /// <remarks>Retail: heading_diff @0x00528FB0.</remarks>
     internal static double Difference(float x, float y, MotionCommand motion)
     {
@@ -22,7 +25,9 @@ internal static class Headings
     }
 
     /// <summary>Has a turn taken <paramref name="x"/> past <paramref name="y"/>? Equality counts for left turns only.</summary>
-    /// <remarks>Retail: heading_greater @0x00528F60. A turn of exactly half a circle that begins at the greater heading is past at once.</remarks>
+    /// <remarks>
+    /// Retail: heading_greater @0x00528F60. A turn of exactly half a circle that begins at the greater heading is past at once.
+    /// </remarks>
     internal static bool IsPast(float x, float y, MotionCommand motion)
     {
         bool greater = Math.Abs((double)x - y) <= Half ? x > y : y > x;

@@ -6,7 +6,8 @@ using Surefoot.Physics.World;
 namespace Surefoot.Physics.Steering;
 
 /// <summary>
-/// Follows the positions that a server told, oldest first, at twice the body's running speed. Every fifth quantum it looks whether it got on; what it cannot reach it
+/// Follows the positions that a server told, oldest first, at twice the body's running speed. Every fifth quantum it looks whether it got
+/// on; what it cannot reach it
 /// gives up, and after that it puts the body to the newest position: a blip.
 /// </summary>
 /// <remarks>
@@ -82,7 +83,10 @@ internal sealed class InterpolationManager(SteeredBody body)
     }
 
     /// <summary>Replaces the motion of a quantum by the way to the position followed.</summary>
-    /// <remarks>Retail: InterpolationManager::adjust_offset @0x00555D30. In the quantum in which a position is reached or given up the body's own motion stays.</remarks>
+    /// <remarks>
+    /// Retail: InterpolationManager::adjust_offset @0x00555D30. In the quantum in which a position is reached or given up the body's own
+    /// motion stays.
+    /// </remarks>
     internal void AdjustOffset(ref Frame offset, float quantum)
     {
         if (queue.Count == 0 || !body.HasContact) return;

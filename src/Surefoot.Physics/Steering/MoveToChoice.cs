@@ -10,12 +10,15 @@ namespace Surefoot.Physics.Steering;
 internal readonly record struct MoveToChoice(MotionCommand Command, HoldKey Key, bool MovingAway)
 {
     /// <summary>What the parameters say about a distance, metres.</summary>
-    /// <remarks>Retail: MovementParameters::get_command @0x0052AA00, towards_and_away @0x0052A9A0. A body that flees asks whether it is far, as one that approaches does.</remarks>
+    /// <remarks>
+    /// Retail: MovementParameters::get_command @0x0052AA00, towards_and_away @0x0052A9A0. A body that flees asks whether it is far, as one
+    /// that approaches does.
+    /// </remarks>
     internal static MoveToChoice Of(in MovementParameters p, float distance)
     {
         (MotionCommand command, bool away) = Direction(p, distance);
-        bool run = p.Has(MovementFlags.CanCharge) ||
-                   (p.Has(MovementFlags.CanRun) && (!p.Has(MovementFlags.CanWalk) || (double)distance - p.DistanceToObject > p.WalkRunThreshold));
+        bool far = (double)distance - p.DistanceToObject > p.WalkRunThreshold;
+        bool run = p.Has(MovementFlags.CanCharge) || (p.Has(MovementFlags.CanRun) && (far || !p.Has(MovementFlags.CanWalk)));
         return new MoveToChoice(command, run ? HoldKey.Run : HoldKey.None, away);
     }
 

@@ -54,7 +54,9 @@ internal sealed partial class MoveToManager
     }
 
     /// <summary>Turns the short way; waits while motions are pending.</summary>
-    /// <remarks>Retail: MoveToManager::BeginTurnToHeading @0x00529B90. The previous heading begins as a difference, in retail too.</remarks>
+    /// <remarks>
+    /// Retail: MoveToManager::BeginTurnToHeading @0x00529B90. The previous heading begins as a difference, in retail too.
+    /// </remarks>
     private void BeginTurn()
     {
         if (body.MotionsPending) return;

@@ -80,7 +80,8 @@ internal sealed partial class MoveToManager
     /// <remarks>Retail: MoveToManager::HandleMoveToPosition @0x00529D80.</remarks>
     private void HandleMove()
     {
-        // One set of parameters for the whole quantum: a left turn leaves its speed negative, and a run that ends in the same quantum is then stopped under the
+        // One set of parameters for the whole quantum: a left turn leaves its speed negative, and a run that ends in the same quantum is
+        // then stopped under the
         // name of the walk, which stops nothing. Retail's bodies run on as well.
         MovementParameters p = ParametersOfStops();
         p.Speed = mp.Speed;
@@ -153,7 +154,10 @@ internal sealed partial class MoveToManager
     }
 
     /// <summary>A quarter of a metre a second, since the last progress and since the beginning; looked at after a second.</summary>
-    /// <remarks>Retail: MoveToManager::CheckProgressMade @0x005290F0. Too little progress stores nothing: the rate asked for is then one over a longer time.</remarks>
+    /// <remarks>
+    /// Retail: MoveToManager::CheckProgressMade @0x005290F0. Too little progress stores nothing: the rate asked for is then one over a
+    /// longer time.
+    /// </remarks>
     private bool CheckProgress(float distance)
     {
         double now = body.Now, elapsed = now - Previous.Time;

@@ -10,7 +10,8 @@ namespace Surefoot.Physics.Steering;
 internal readonly record struct MoveToNode(bool IsMove, float Heading);
 
 /// <summary>
-/// Walks a body to a place or an object, or turns it to one, by the motions that a key would give. The orders are here; what is done of them each quantum is in
+/// Walks a body to a place or an object, or turns it to one, by the motions that a key would give. The orders are here; what is done of
+/// them each quantum is in
 /// <c>Progress</c>, the queue of turns and moves in <c>Nodes</c>.
 /// </summary>
 /// <remarks>Retail: MoveToManager; specification 09b, 6.</remarks>
@@ -64,7 +65,9 @@ internal sealed partial class MoveToManager
     /// <param name="radius">Radius of the object itself, metres.</param>
     /// <param name="height">Height of the object itself, metres.</param>
     /// <param name="parameters">How.</param>
-    /// <remarks>Retail: MoveToManager::MoveToObject @0x00529680. The object's first report plans the way; when it exists that is inside this call.</remarks>
+    /// <remarks>
+    /// Retail: MoveToManager::MoveToObject @0x00529680. The object's first report plans the way; when it exists that is inside this call.
+    /// </remarks>
     internal void MoveToObject(uint topLevel, float radius, float height, in MovementParameters parameters)
     {
         body.StopCompletely();
@@ -76,7 +79,8 @@ internal sealed partial class MoveToManager
 
     /// <summary>Moves to a place.</summary>
     /// <remarks>
-    /// Retail: MoveToManager::MoveToPosition @0x0052A240. The first look at the distance goes from centre to centre whatever the parameters say: they are taken over
+    /// Retail: MoveToManager::MoveToPosition @0x0052A240. The first look at the distance goes from centre to centre whatever the parameters
+    /// say: they are taken over
     /// only after it.
     /// </remarks>
     internal void MoveToPosition(in Position place, in MovementParameters parameters)
@@ -188,7 +192,9 @@ internal sealed partial class MoveToManager
         else body.SetTarget(0, topLevel, ReportRadius, FirstReportQuantum);
     }
 
-    /// <remarks>Retail: MoveToManager::MoveToObject_Internal @0x0052A400. The last heading counts from the first direction to the object.</remarks>
+    /// <remarks>
+    /// Retail: MoveToManager::MoveToObject_Internal @0x0052A400. The last heading counts from the first direction to the object.
+    /// </remarks>
     private void PlanMoveToObject(in TargetInfo info)
     {
         sought = info.InterpolatedPosition;
@@ -218,7 +224,8 @@ internal sealed partial class MoveToManager
     }
 
     /// <summary>
-    /// The references of progress become infinitely far. Moving away that looks like no progress from the second second on: load-bearing, it is what makes a
+    /// The references of progress become infinitely far. Moving away that looks like no progress from the second second on: load-bearing,
+    /// it is what makes a
     /// fleeing body overshoot.
     /// </summary>
     private void FollowTarget(in TargetInfo info)
@@ -252,7 +259,9 @@ internal sealed partial class MoveToManager
         Initialise();
     }
 
-    /// <remarks>Retail: MoveToManager::InitializeLocalVariables @0x00529250. Distances and speed of the last order stay; its flags do not.</remarks>
+    /// <remarks>
+    /// Retail: MoveToManager::InitializeLocalVariables @0x00529250. Distances and speed of the last order stay; its flags do not.
+    /// </remarks>
     private void Initialise()
     {
         Kind = 0;

@@ -26,7 +26,9 @@ public sealed partial class MovementManager
     /// <summary>Goes to a place, or away from it.</summary>
     /// <param name="place">The place.</param>
     /// <param name="parameters">How.</param>
-    /// <exception cref="ArgumentException">The place or a parameter is not finite, or the cell id names no cell; nothing has changed.</exception>
+    /// <exception cref="ArgumentException">
+    /// The place or a parameter is not finite, or the cell id names no cell; nothing has changed.
+    /// </exception>
     /// <exception cref="InvalidOperationException">The body is not one of an engine.</exception>
     /// <remarks>Retail: MovementManager::PerformMovement @0x005240D0 with kind 7.</remarks>
     public void MoveToPosition(in Position place, in MovementParameters parameters)
@@ -78,7 +80,9 @@ public sealed partial class MovementManager
         Interpreter.StandingLongJump = standingLongJump;
     }
 
-    /// <summary>Does what an UpdateMotion of type 6 says: goes to an object, or to the place in the message when the object is not known.</summary>
+    /// <summary>
+    /// Does what an UpdateMotion of type 6 says: goes to an object, or to the place in the message when the object is not known.
+    /// </summary>
     /// <param name="style">The style in the message.</param>
     /// <param name="id">The object.</param>
     /// <param name="place">Where it was.</param>
@@ -86,7 +90,8 @@ public sealed partial class MovementManager
     /// <param name="runRate">Factor on the running speed.</param>
     /// <param name="autonomous">The body's own player asked for it.</param>
     /// <exception cref="ArgumentException">A number is not finite, or the cell id names no cell; nothing has changed.</exception>
-    public void ApplyMoveToObject(MotionCommand style, uint id, in Position place, in MovementParameters parameters, float runRate, bool autonomous)
+    public void ApplyMoveToObject(
+        MotionCommand style, uint id, in Position place, in MovementParameters parameters, float runRate, bool autonomous)
     {
         PhysicsBody.ThrowIfBad(place);
         MovementParameters p = Checked(parameters);
@@ -104,7 +109,8 @@ public sealed partial class MovementManager
     /// <param name="runRate">Factor on the running speed.</param>
     /// <param name="autonomous">The body's own player asked for it.</param>
     /// <exception cref="ArgumentException">A number is not finite, or the cell id names no cell; nothing has changed.</exception>
-    public void ApplyMoveToPosition(MotionCommand style, in Position place, in MovementParameters parameters, float runRate, bool autonomous)
+    public void ApplyMoveToPosition(
+        MotionCommand style, in Position place, in MovementParameters parameters, float runRate, bool autonomous)
     {
         PhysicsBody.ThrowIfBad(place);
         MovementParameters p = Checked(parameters);
@@ -114,7 +120,9 @@ public sealed partial class MovementManager
         MakeMoveToManager().MoveToPosition(place, p);
     }
 
-    /// <summary>Does what an UpdateMotion of type 8 says: turns to an object, or to the heading in the message when the object is not known.</summary>
+    /// <summary>
+    /// Does what an UpdateMotion of type 8 says: turns to an object, or to the heading in the message when the object is not known.
+    /// </summary>
     /// <param name="style">The style in the message.</param>
     /// <param name="id">The object.</param>
     /// <param name="heading">Degrees.</param>

@@ -5,7 +5,8 @@ using Surefoot.Physics.Motion;
 namespace Surefoot.Physics.Steering;
 
 /// <summary>
-/// The movement side of a body: its interpreter, its animations, and its move-to manager, which is made with the first order that needs it. What the body tells is
+/// The movement side of a body: its interpreter, its animations, and its move-to manager, which is made with the first order that needs it.
+/// What the body tells is
 /// passed on here; what a server says has a file of its own, <c>Orders</c>.
 /// </summary>
 /// <remarks>Retail: MovementManager together with the motion side of CPartArray; specification 09b, 3.</remarks>
@@ -61,7 +62,9 @@ public sealed partial class MovementManager : IBodyMovement
 
     /// <summary>One of the five kinds of single motions; the body wakes first.</summary>
     /// <exception cref="ArgumentException">The speed is NaN or infinite; nothing has changed.</exception>
-    /// <remarks>Retail: MovementManager::PerformMovement @0x005240D0; its other four kinds are <see cref="MoveToObject"/> and its neighbours.</remarks>
+    /// <remarks>
+    /// Retail: MovementManager::PerformMovement @0x005240D0; its other four kinds are <see cref="MoveToObject"/> and its neighbours.
+    /// </remarks>
     public MotionError PerformMovement(MovementKind kind, MotionCommand motion, in MovementParameters parameters)
     {
         MotionInterpreter.ThrowIfNotFinite(parameters.Speed, nameof(parameters));

@@ -5,7 +5,9 @@ using Surefoot.Physics.World;
 namespace Surefoot.Physics.Steering;
 
 /// <summary>The three small managers that bend the motion a body proposes, each made when it is first needed.</summary>
-/// <remarks>Retail: PositionManager; specification 09, 3.1. The order of the three is load-bearing: each works on what the one before it left.</remarks>
+/// <remarks>
+/// Retail: PositionManager; specification 09, 3.1. The order of the three is load-bearing: each works on what the one before it left.
+/// </remarks>
 internal sealed class PositionManager(SteeredBody body)
 {
     /// <summary>Follows a server's positions; null until the first.</summary>
@@ -38,7 +40,8 @@ internal sealed class PositionManager(SteeredBody body)
         Sticky?.UseTime();
     }
 
-    internal void InterpolateTo(in Position place, bool keepHeading) => (Interpolation ??= new InterpolationManager(body)).InterpolateTo(place, keepHeading);
+    internal void InterpolateTo(in Position place, bool keepHeading) =>
+        (Interpolation ??= new InterpolationManager(body)).InterpolateTo(place, keepHeading);
 
     internal void StopInterpolating() => Interpolation?.StopInterpolating();
 
@@ -46,7 +49,8 @@ internal sealed class PositionManager(SteeredBody body)
 
     internal void Unstick() => Sticky?.Unstick();
 
-    internal void ConstrainTo(in Position place, float start, float max) => (Constraint ??= new ConstraintManager(body)).ConstrainTo(place, start, max);
+    internal void ConstrainTo(in Position place, float start, float max) =>
+        (Constraint ??= new ConstraintManager(body)).ConstrainTo(place, start, max);
 
     internal void Unconstrain() => Constraint?.Unconstrain();
 

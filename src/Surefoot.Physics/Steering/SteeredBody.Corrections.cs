@@ -62,7 +62,8 @@ internal abstract partial class SteeredBody
 
     /// <summary>Tracks an object instead of what was tracked so far.</summary>
     /// <remarks>Retail: CPhysicsObj::set_target @0x0050ED30.</remarks>
-    internal void SetTarget(uint context, uint id, float radius, double quantum) => MakeTargetManager().SetTarget(context, id, radius, quantum);
+    internal void SetTarget(uint context, uint id, float radius, double quantum) =>
+        MakeTargetManager().SetTarget(context, id, radius, quantum);
 
     /// <summary>Tracks nothing any more.</summary>
     internal void ClearTarget() => targets?.ClearTarget();

@@ -70,7 +70,8 @@ internal sealed class StickyManager(SteeredBody body)
 
     /// <summary>Replaces place and heading of a quantum's motion.</summary>
     /// <remarks>
-    /// Retail: StickyManager::adjust_offset @0x00555430. A body deep inside its target first moves further in: the way back is taken only when one step is enough
+    /// Retail: StickyManager::adjust_offset @0x00555430. A body deep inside its target first moves further in: the way back is taken only
+    /// when one step is enough
     /// for it.
     /// </remarks>
     internal void AdjustOffset(ref Frame offset, float quantum)

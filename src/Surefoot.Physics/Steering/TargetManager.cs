@@ -6,7 +6,8 @@ using Surefoot.Physics.World;
 namespace Surefoot.Physics.Steering;
 
 /// <summary>
-/// Both sides of tracking: as a tracker, the one object this body wants to know about; as a target, the bodies that want to know about this one, its voyeurs.
+/// Both sides of tracking: as a tracker, the one object this body wants to know about; as a target, the bodies that want to know about this
+/// one, its voyeurs.
 /// All bodies live in one engine, so a report is a call.
 /// </summary>
 /// <remarks>Retail: TargetManager; specification 09b, 7.</remarks>
@@ -32,7 +33,9 @@ internal sealed class TargetManager(SteeredBody body)
     /// <summary>How far ahead the place of the tracked object is foretold, seconds; 0 without one.</summary>
     internal double Quantum => hasTarget ? target.Quantum : 0;
 
-    /// <summary>Tracks an object instead of what was tracked so far. An object that is known reports at once, from inside this call.</summary>
+    /// <summary>
+    /// Tracks an object instead of what was tracked so far. An object that is known reports at once, from inside this call.
+    /// </summary>
     /// <remarks>Retail: TargetManager::SetTarget @0x0051AC30.</remarks>
     internal void SetTarget(uint context, uint id, float radius, double quantum)
     {
@@ -120,7 +123,8 @@ internal sealed class TargetManager(SteeredBody body)
         Vector3 velocity = body.AchievedVelocity, here = foretold.Frame.Origin;
         double quantum = (float)voyeur.Quantum;
         foretold.Frame.Origin = new Vector3(
-            (float)((quantum * velocity.X) + here.X), (float)((quantum * velocity.Y) + here.Y), (float)((float)(quantum * velocity.Z) + (double)here.Z));
+            (float)((quantum * velocity.X) + here.X), (float)((quantum * velocity.Y) + here.Y),
+            (float)((float)(quantum * velocity.Z) + (double)here.Z));
         if (foretold.DistanceTo(voyeur.LastSent) > voyeur.Radius) Report(ref voyeur, foretold, TargetStatus.OK);
     }
 

@@ -8,7 +8,7 @@ using Surefoot.Tool.Walking;
 
 namespace Surefoot.Tool.Commands;
 
-/// <summary><c>surefoot conform</c>: replays what was recorded and says how much comes out the same; each file tells by itself what it is.</summary>
+/// <summary><c>surefoot conform</c>: replays recordings and says how much comes out the same; each file tells by itself what it is.</summary>
 internal static class ConformCommand
 {
     private static readonly JsonSerializerOptions Json = new() { WriteIndented = true, PropertyNamingPolicy = JsonNamingPolicy.CamelCase };
@@ -17,7 +17,7 @@ internal static class ConformCommand
     {
         Option<DirectoryInfo?> dats = new("--dats")
         {
-            Description = "Folder with the dat files of the world that walks, sweeps and placements were recorded in; runs of managers need none.",
+            Description = "Folder with the dat files of the world that walks, sweeps and placements were recorded in; others need none.",
         };
         Argument<FileInfo[]> vectors = new("VECTORS")
         {
@@ -29,7 +29,8 @@ internal static class ConformCommand
         Option<string?> scene = new("--scene") { Description = "Only the scenes whose name begins like this." };
         Command command = new(
             "conform",
-            "Replays what was recorded and prints how much comes out the same: walks free-running and re-seated before each step, and runs of the managers that move other bodies from their start.\n\nExample:\n" +
+            "Replays recordings and prints how much comes out the same: walks free-running and re-seated before each step, runs of the " +
+            "managers that move other bodies from their start.\n\nExample:\n" +
             "  surefoot conform --dats tests/data/worlds/first tests/data/vectors/walk-11.jsonl.gz --worst 10\n" +
             "  surefoot conform tests/data/remote-vectors/move-to-1.jsonl.gz")
         {
@@ -52,7 +53,7 @@ internal static class ConformCommand
             if (cases.Count > 0 || oracles.Count > 0)
             {
                 DirectoryInfo folder = parsed.GetValue(dats) ??
-                    throw new UsageException("Walks, sweeps and placements need the world they were recorded in: --dats tests/data/worlds/first");
+                    throw new UsageException("Walks, sweeps and placements need the world they were recorded in: --dats DIR");
                 using WalkScene world = WalkScene.OpenWhole(folder);
                 AddWalks(world, cases, report, parsed.GetValue(json));
                 if (oracles.Count > 0)
@@ -108,7 +109,12 @@ internal static class ConformCommand
         foreach ((string family, OracleScore score) in report.Oracle)
             Console.Out.WriteLine($"{family}: {score.ResultsEqual} of {score.Results} results equal ({Share(score.ResultsEqual, score.Results)}); of {score.Listed} listed as departures {score.ListedDiffering} differ{Reasons(score)}");
         foreach ((string family, ManagerScore score) in report.Managers)
-            Console.Out.WriteLine($"{family}: {score.CasesEqual} of {score.Cases} runs equal ({Share(score.StepsEqual, score.Steps)} of {score.Steps} steps); of {score.TightCases} that hang on a last bit {score.TightCasesEqual} equal");
+        {
+            Console.Out.WriteLine(
+                $"{family}: {score.CasesEqual} of {score.Cases} runs equal ({Share(score.StepsEqual, score.Steps)} of {score.Steps} steps); " +
+                $"of {score.TightCases} that hang on a last bit {score.TightCasesEqual} equal");
+        }
+
         foreach (Divergence d in report.Divergences.Take(worst)) Console.Out.WriteLine($"{d.CaseId} {d.Scene} step {d.Step}: {d.Difference}: {d.Detail}");
     }
 

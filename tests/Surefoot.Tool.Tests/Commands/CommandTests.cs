@@ -8,6 +8,9 @@ namespace Surefoot.Tool.Tests.Commands;
 /// <summary>The command, run as a process.</summary>
 public class CommandTests
 {
+    private static string InRepository(string argument) =>
+        argument.StartsWith("tests/", StringComparison.Ordinal) ? Repository.PathOf(argument.Split('/')) : argument;
+
     private static string World => Repository.PathOf("tests", "data", "worlds", "first");
 
     [Theory, Behaviour("tool.help.has-an-example", "design.md, The tool")]
@@ -43,9 +46,10 @@ public class CommandTests
     [InlineData("walk", "script")]
     [InlineData("play", "--port", "99999", "65535")]
     [InlineData("fly", "fly")]
+    [InlineData("conform", "tests/data/vectors/walk-11.jsonl.gz", "--dats")]
     public async Task Wrong_usage_says_what_is_right_and_exits_with_two(params string[] commandAndHint)
     {
-        CommandLine.Outcome run = await CommandLine.RunAsync(commandAndHint[..^1]);
+        CommandLine.Outcome run = await CommandLine.RunAsync([.. commandAndHint[..^1].Select(InRepository)]);
         Assert.Equal(2, run.ExitCode);
         Assert.Contains(commandAndHint[^1], run.Error, StringComparison.Ordinal);
     }
@@ -83,9 +87,24 @@ public class CommandTests
         Assert.Equal(0, report.RootElement.GetProperty("reseated").GetProperty("cases").GetInt32());
     }
 
+    [Fact, Behaviour("tool.conform.families", "design.md, The tool")]
+    public async Task Runs_of_managers_need_no_world_and_are_told_by_family()
+    {
+        string vectors = Repository.PathOf("tests", "data", "remote-vectors");
+        CommandLine.Outcome run = await CommandLine.RunAsync(
+            "conform", "--json", Path.Combine(vectors, "constraint-1.jsonl.gz"), Path.Combine(vectors, "timestamps-1.jsonl.gz"));
+        Assert.Equal((0, ""), (run.ExitCode, run.Error));
+        using JsonDocument report = JsonDocument.Parse(run.Output);
+        JsonElement managers = report.RootElement.GetProperty("managers");
+        Assert.Equal(["constraint", "timestamps"], managers.EnumerateObject().Select(f => f.Name));
+        foreach (JsonProperty family in managers.EnumerateObject())
+            Assert.Equal(family.Value.GetProperty("cases").GetInt32(), family.Value.GetProperty("casesEqual").GetInt32());
+    }
+
     [Theory, Behaviour("tool.conform.damaged-vectors", "design.md, decision 7")]
     [InlineData("{", "line 1")]
     [InlineData("{}", "not a recorded walk")]
+    [InlineData("""{"family":"sticky"}""", "not a recorded run")]
     public async Task Vectors_that_cannot_be_read_are_one_line_that_names_the_file_and_the_line(string content, string hint)
     {
         DirectoryInfo folder = Directory.CreateTempSubdirectory("surefoot-vectors");

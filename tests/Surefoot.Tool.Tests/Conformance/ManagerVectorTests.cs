@@ -22,7 +22,7 @@ public class ManagerVectorTests
     }
 
     /// <summary>These demand the exact arithmetic; whoever rounds elsewhere fails them.</summary>
-    [Theory, Behaviour("conformance.managers-to-the-last-bit", "recorded runs of the managers whose decisions hang on the last bit of a float")]
+    [Theory, Behaviour("conformance.managers-to-the-last-bit", "recorded runs of the managers that hang on the last bit of a float")]
     [InlineData("sticky", 5)]
     [InlineData("move-to", 24)]
     [InlineData("target", 1)]

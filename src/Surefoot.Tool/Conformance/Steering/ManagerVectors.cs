@@ -19,7 +19,7 @@ internal static class ManagerVectors
         {
             return TimestampReplay.Reads(recorded) ? TimestampReplay.Run(recorded) : SteeringReplay.Run(recorded);
         }
-        catch (Exception e) when (e is KeyNotFoundException or InvalidOperationException or FormatException or IndexOutOfRangeException or ArgumentException)
+        catch (Exception e) when (e is KeyNotFoundException or InvalidOperationException or FormatException or ArgumentException or IndexOutOfRangeException)
         {
             throw new InvalidDataException($"not a recorded run: {e.Message}", e);
         }

@@ -13,7 +13,8 @@ internal static class SteeringReplay
     private static readonly HashSet<string> MotionsAndReports = [.. Motions, "told"];
 
     /// <summary>Does the first case of a file belong here?</summary>
-    internal static bool Reads(JsonElement first) => first.TryGetProperty("family", out JsonElement family) && Families.Contains(family.GetString());
+    internal static bool Reads(JsonElement first) =>
+        first.TryGetProperty("family", out JsonElement family) && Families.Contains(family.GetString());
 
     /// <summary>Replays a case.</summary>
     internal static ManagerResult Run(JsonElement recorded)
@@ -23,8 +24,9 @@ internal static class SteeringReplay
             Clock = recorded.GetProperty("clock").GetDouble(),
             Noteworthy = recorded.GetProperty("family").GetString() == "target" ? MotionsAndReports : Motions,
         };
-        foreach (JsonElement body in recorded.GetProperty("bodies").EnumerateArray()) world.Add(new StubBody(world, new StubSettings(body)));
-        List<WatchedBody> watched = [.. recorded.GetProperty("watch").EnumerateArray().Select(id => new WatchedBody(id.GetString()!, id.Id()))];
+        foreach (JsonElement body in recorded.GetProperty("bodies").EnumerateArray())
+            world.Add(new StubBody(world, new StubSettings(body)));
+        List<WatchedBody> watched = [.. recorded.GetProperty("watch").EnumerateArray().Select(static id => new WatchedBody(id.GetString()!))];
         int done = 0;
         string? difference = null;
         JsonElement steps = recorded.GetProperty("steps");
@@ -77,9 +79,7 @@ internal static class SteeringReplay
             case "hold-key": settings.HoldKey = (HoldKey)e[2].GetInt32(); break;
             case "refuse": settings.Refusal = (MotionError)e[2].GetInt32(); break;
             case "root": settings.Root = new Vector4(e[2].GetSingle(), e[3].GetSingle(), e[4].GetSingle(), e[5].GetSingle()); break;
-            case "pending":
-                (settings.PendingAfterDo, settings.PendingAfterStop, settings.PendingAfterHalt) = (e[2].GetInt32(), e[3].GetInt32(), e[4].GetInt32());
-                break;
+            case "pending": settings.SetPending(e[2].GetInt32(), e[3].GetInt32(), e[4].GetInt32()); break;
             case "face": body.SetHeading(e[2].GetSingle()); break;
             case "warp": settings.Position = PositionAt(e, 2); break;
             case "gone": world.Forget(body.Id); break;

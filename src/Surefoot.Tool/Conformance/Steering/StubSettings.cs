@@ -51,11 +51,11 @@ internal sealed class StubSettings
 
     internal MotionError Refusal { get; set; }
 
-    internal int PendingAfterDo { get; set; }
+    internal int PendingAfterDo { get; private set; }
 
-    internal int PendingAfterStop { get; set; }
+    internal int PendingAfterStop { get; private set; }
 
-    internal int PendingAfterHalt { get; set; }
+    internal int PendingAfterHalt { get; private set; }
 
     /// <summary>Speeds instead of those of the run rate, m/s.</summary>
     internal (float Max, float Adjusted)? Speeds { get; set; }
@@ -79,6 +79,10 @@ internal sealed class StubSettings
     internal static Position PositionIn(JsonElement cell, JsonElement origin, JsonElement rotation) =>
         new(cell.Id(), new Frame(origin.Vector(), rotation.Rotation()));
 
+    /// <summary>Quanta for which a motion begun, one ended, and a stop of everything stay pending.</summary>
+    internal void SetPending(int afterDo, int afterStop, int afterHalt) =>
+        (PendingAfterDo, PendingAfterStop, PendingAfterHalt) = (afterDo, afterStop, afterHalt);
+
     private void Set(string name, JsonElement value)
     {
         switch (name)
@@ -90,7 +94,7 @@ internal sealed class StubSettings
             case "runRate": RunRate = value.GetSingle(); break;
             case "holdKey": HoldKey = (HoldKey)value.GetInt32(); break;
             case "playerDistance": PlayerDistance = value.GetSingle(); break;
-            case "pending": (PendingAfterDo, PendingAfterStop, PendingAfterHalt) = (value[0].GetInt32(), value[1].GetInt32(), value[2].GetInt32()); break;
+            case "pending": SetPending(value[0].GetInt32(), value[1].GetInt32(), value[2].GetInt32()); break;
             case "speeds": Speeds = (value[0].GetSingle(), value[1].GetSingle()); break;
             case "root": Root = new Vector4(value[0].GetSingle(), value[1].GetSingle(), value[2].GetSingle(), value[3].GetSingle()); break;
         }

@@ -12,8 +12,8 @@ internal sealed class TimestampReplay
 
     private static readonly HashSet<string> Effects =
     [
-        "teleport-hook", "cancel", "place", "interpolate", "constrain", "velocity", "omega", "state", "motion", "lose-control", "blip", "send-position",
-        "teleport-player", "player-teleported", "leave-world",
+        "teleport-hook", "cancel", "place", "interpolate", "constrain", "velocity", "omega", "state", "motion", "lose-control", "blip",
+        "send-position", "teleport-player", "player-teleported", "leave-world",
     ];
 
     private readonly StubWorld world;
@@ -28,11 +28,13 @@ internal sealed class TimestampReplay
         JsonElement only = run.GetProperty("bodies")[0];
         body = new StubBody(world, new StubSettings(only));
         world.Add(body);
-        if (only.TryGetProperty("stamps", out JsonElement list)) stamps = new ObjectStamps([.. list.EnumerateArray().Select(s => s.GetUInt16())]);
+        if (only.TryGetProperty("stamps", out JsonElement list))
+            stamps = new ObjectStamps([.. list.EnumerateArray().Select(s => s.GetUInt16())]);
     }
 
     /// <summary>Does the first case of a file belong here?</summary>
-    internal static bool Reads(JsonElement first) => first.TryGetProperty("family", out JsonElement family) && family.GetString() == "timestamps";
+    internal static bool Reads(JsonElement first) =>
+        first.TryGetProperty("family", out JsonElement family) && family.GetString() == "timestamps";
 
     /// <summary>Replays a case.</summary>
     internal static ManagerResult Run(JsonElement run)
@@ -93,7 +95,8 @@ internal sealed class TimestampReplay
                 TakeVector(message);
                 break;
             case "state":
-                if (stamps.TryAdvance(ObjectStamp.State, message.GetProperty("ss").GetUInt16())) world.Log("state", body.Id, message.GetProperty("state").Id());
+                if (stamps.TryAdvance(ObjectStamp.State, message.GetProperty("ss").GetUInt16()))
+                    world.Log("state", body.Id, message.GetProperty("state").Id());
                 break;
             case "pickup":
                 if (stamps.TryAdvance(ObjectStamp.Position, message.GetProperty("ps").GetUInt16())) LeaveWorld();
@@ -180,8 +183,11 @@ internal sealed class TimestampReplay
         LogLeash();
     }
 
-    private void LogLeash() =>
-        world.Log("constrain", body.Id, CorrectionDistances.LeashStart(body.Position.CellId), CorrectionDistances.LeashMax(body.Position.CellId));
+    private void LogLeash()
+    {
+        uint cell = body.Position.CellId;
+        world.Log("constrain", body.Id, CorrectionDistances.LeashStart(cell), CorrectionDistances.LeashMax(cell));
+    }
 
     private void LeaveWorld()
     {

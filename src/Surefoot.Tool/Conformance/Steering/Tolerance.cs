@@ -12,7 +12,9 @@ internal readonly record struct Degrees(float Value);
 /// <summary>A time of the clock.</summary>
 internal readonly record struct Moment(double Seconds);
 
-/// <summary>Compares what a replay gives with what was recorded: flags, counts and ids exactly, numbers to the tolerances of the recording.</summary>
+/// <summary>
+/// Compares what a replay gives with what was recorded: flags, counts and ids exactly, numbers to the tolerances of the recording.
+/// </summary>
 internal static class Tolerance
 {
     /// <summary>Is a value the recorded one?</summary>
@@ -34,7 +36,9 @@ internal static class Tolerance
         _ => throw new InvalidOperationException($"There is no comparison of {actual.GetType().Name}."),
     };
 
-    /// <summary>Is a call the recorded one? Positions are three items there, and the reason of a cancelled move-to has no effect in retail.</summary>
+    /// <summary>
+    /// Is a call the recorded one? Positions are three items there, and the reason of a cancelled move-to has no effect in retail.
+    /// </summary>
     internal static bool SameCall(object[] actual, JsonElement recorded) => actual[0] is "cancel"
         ? recorded[0].GetString() == "cancel" && Same(actual[1], recorded[1])
         : Items([.. actual.SelectMany(Spread)], recorded);
@@ -72,7 +76,7 @@ internal static class Tolerance
     {
         Quaternion expected = recorded.Rotation();
         return Within(actual - expected) || Within(actual + expected);
-        static bool Within(Quaternion d) => Math.Abs(d.W) <= 2e-5 && Math.Abs(d.X) <= 2e-5 && Math.Abs(d.Y) <= 2e-5 && Math.Abs(d.Z) <= 2e-5;
+        static bool Within(Quaternion d) => Math.Max(Math.Max(Math.Abs(d.W), Math.Abs(d.X)), Math.Max(Math.Abs(d.Y), Math.Abs(d.Z))) <= 2e-5f;
     }
 
     private static bool Report(in TargetInfo info, JsonElement recorded) =>
@@ -86,5 +90,6 @@ internal static class Tolerance
         Same(info.Velocity, recorded.GetProperty("vel")) &&
         Same(info.InterpolatedHeading, recorded.GetProperty("toward"));
 
-    private static bool Place(in Position actual, JsonElement cell, JsonElement origin) => Id(actual.CellId, cell) && Same(actual.Frame.Origin, origin);
+    private static bool Place(in Position actual, JsonElement cell, JsonElement origin) =>
+        Id(actual.CellId, cell) && Same(actual.Frame.Origin, origin);
 }

@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Text.Json;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.Steering;
@@ -5,18 +6,20 @@ using Surefoot.Physics.Steering;
 namespace Surefoot.Tool.Conformance.Steering;
 
 /// <summary>What was recorded of a body so far, and the same fields of the replay.</summary>
-internal sealed class WatchedBody(string name, uint id)
+internal sealed class WatchedBody(string name)
 {
     /// <summary>Fields of a manager that was not made yet have these values.</summary>
     private static readonly Dictionary<string, JsonElement> Initial = JsonElement.Parse(
-        """{"queue":0,"frames":0,"time":0,"from":999999,"fails":0,"keep":0,"stuck":0,"known":0,"bound":0,"type":0,"nodes":[],"cmd":"0","aux":"0"}""")
+        """
+        {"queue":0,"frames":0,"time":0,"from":999999,"fails":0,"keep":0,"stuck":0,"known":0,"bound":0,"type":0,"nodes":[],"cmd":"0","aux":"0"}
+        """)
         .EnumerateObject().ToDictionary(p => p.Name, p => p.Value);
 
     private readonly Dictionary<string, JsonElement> recorded = [];
 
     internal string Name => name;
 
-    internal uint Id => id;
+    internal uint Id { get; } = uint.Parse(name, NumberStyles.HexNumber, CultureInfo.InvariantCulture);
 
     /// <summary>Takes the fields that changed; null ones are no longer there.</summary>
     internal void Take(JsonElement changes)
@@ -91,13 +94,15 @@ internal sealed class WatchedBody(string name, uint id)
             "pt" => IsWalking(moveTo) ? new Moment(moveTo!.Previous.Time) : null,
             "od" => IsWalking(moveTo) ? moveTo!.Original.Distance : null,
             "ot" => IsWalking(moveTo) ? new Moment(moveTo!.Original.Time) : null,
-            "ph" => moveTo is { CurrentCommand: MotionCommand.TurnRight or MotionCommand.TurnLeft } ? new Degrees(moveTo.PreviousHeading) : null,
+            "ph" => IsTurning(moveTo) ? new Degrees(moveTo!.PreviousHeading) : null,
             _ => throw new InvalidDataException($"the field {field} is not known."),
         };
     }
 
     private static bool IsWalking(MoveToManager? moveTo) =>
         moveTo is { CurrentCommand: MotionCommand.WalkForward or MotionCommand.WalkBackwards or MotionCommand.RunForward };
+
+    private static bool IsTurning(MoveToManager? moveTo) => moveTo is { CurrentCommand: MotionCommand.TurnRight or MotionCommand.TurnLeft };
 
     private static object TargetOf(StubBody body) => body.TargetManager is { HasTarget: true } tracker
         ? (object[])[tracker.Target.ObjectId, (int)tracker.Target.Status, tracker.Target.Quantum]
@@ -122,5 +127,10 @@ internal sealed class WatchedBody(string name, uint id)
         return [.. nodes];
     }
 
-    private static string Text(object value) => value is object[] items ? $"[{string.Join(", ", items.Select(Text))}]" : value is uint id ? $"{id:X}" : $"{value}";
+    private static string Text(object value) => value switch
+    {
+        object[] items => $"[{string.Join(", ", items.Select(Text))}]",
+        uint id => $"{id:X}",
+        _ => $"{value}",
+    };
 }
