@@ -1,5 +1,6 @@
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Motion;
+using Surefoot.Physics.Steering;
 
 namespace Surefoot.Client;
 

@@ -6,7 +6,6 @@ using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
-using Surefoot.Physics.Steering;
 using Surefoot.Physics.World;
 using Surefoot.Scenes;
 using Surefoot.Server;

@@ -28,6 +28,16 @@ internal sealed class FakeBody : IMotionBody
 
     public Vector3 LocalVelocity { get; set; }
 
+    /// <summary>Is told when a move-to is to end.</summary>
+    internal Action? OnCancelMoveTo { get; set; }
+
+    /// <summary>Was told to let go of what it sticks to.</summary>
+    internal bool Unstuck { get; private set; }
+
+    public void CancelMoveTo() => OnCancelMoveTo?.Invoke();
+
+    public void Unstick() => Unstuck = true;
+
     public void SetLocalVelocity(Vector3 velocity) => LocalVelocity = velocity;
 
     public void SetOnWalkable(bool on)

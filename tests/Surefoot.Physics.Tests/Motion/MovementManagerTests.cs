@@ -1,4 +1,5 @@
 using Surefoot.Physics.Motion;
+using Surefoot.Physics.Steering;
 
 namespace Surefoot.Physics.Tests.Motion;
 
@@ -10,8 +11,8 @@ public class MovementManagerTests
     [Behaviour("motion.manager.no-table-no-interpreter", "spec/09, 5.4; spec/09b, 3; MovementManager::unpack_movement @0x00524440")]
     public void A_body_without_a_motion_table_ignores_a_servers_motions_until_somebody_asks_for_its_interpreter()
     {
-        FakeBody body = new();
-        Interruptions interruptions = new();
+        bool cancelled = false;
+        FakeBody body = new() { OnCancelMoveTo = () => cancelled = true };
         MovementManager movement = new(body, table: null, new OtherWeenie());
         Assert.False(movement.HasInterpreter);
         movement.ApplyUpdate(Walk, autonomous: false, standingLongJump: true);
@@ -24,11 +25,11 @@ public class MovementManagerTests
         Assert.True(movement.HasInterpreter);
         Assert.Same(interpreter, movement.Interpreter);
         Assert.Equal((true, MotionCommand.Ready, false), (interpreter.IsInitialised, interpreter.Interpreted.ForwardCommand, interpreter.StandingLongJump));
-        interpreter.Interruption = interruptions;
+        Assert.Equal((false, false), (cancelled, body.Unstuck));
         movement.ApplyUpdate(Walk, autonomous: false, standingLongJump: true);
         Assert.Equal((MotionCommand.WalkForward, 0.5f), (interpreter.Interpreted.ForwardCommand, interpreter.Interpreted.ForwardSpeed));
         Assert.True(interpreter.StandingLongJump);
-        Assert.Equal((true, true), (interruptions.Cancelled, interruptions.Unstuck));
+        Assert.Equal((true, true), (cancelled, body.Unstuck));
     }
 
     [Fact]
@@ -65,7 +66,7 @@ public class MovementManagerTests
         FakeBody body = new() { LastMoveWasAutonomous = false };
         MovementManager movement = new(body, HumanoidTable.Create(), FakeBody.Player());
         bool flag = false;
-        movement.Interpreter.Interruption = new Interruptions { OnCancel = () => flag = body.LastMoveWasAutonomous };
+        body.OnCancelMoveTo = () => flag = body.LastMoveWasAutonomous;
         switch (kind)
         {
             case MovementKind.RawCommand: movement.DoMotion(MotionCommand.WalkForward, new MovementParameters()); break;
@@ -74,22 +75,5 @@ public class MovementManagerTests
         }
 
         Assert.Equal((autonomous, autonomous), (flag, body.LastMoveWasAutonomous));
-    }
-
-    private sealed class Interruptions : IMotionInterruption
-    {
-        internal bool Cancelled { get; private set; }
-
-        internal bool Unstuck { get; private set; }
-
-        internal Action? OnCancel { get; init; }
-
-        public void CancelMoveTo()
-        {
-            Cancelled = true;
-            OnCancel?.Invoke();
-        }
-
-        public void Unstick() => Unstuck = true;
     }
 }

@@ -9,7 +9,7 @@ public class ConstraintTests
     private readonly FakeSteeredBody body = new(new FakeSteeredWorld(), 1, new Vector3(10, 10, 0));
 
     [Theory]
-    [Behaviour("steering.leash.brakes-and-holds", "09, 6.5; ConstraintManager::adjust_offset @0x00556180")]
+    [Behaviour("steering.leash.brakes-and-holds", "spec/09, 6.5; ConstraintManager::adjust_offset @0x00556180")]
     [InlineData(9.9f, 0.5f, true, 10f, 50f, 0.5f, 10.3999996f)]
     [InlineData(10f, 0.5f, true, 10f, 50f, 0.5f, 10.5f)]
     [InlineData(10.4f, 0.5f, true, 10f, 50f, 0.495000005f, 10.8949995f)]
@@ -33,7 +33,7 @@ public class ConstraintTests
     }
 
     [Theory]
-    [Behaviour("steering.leash.fully-constrained", "09, 6.5; ConstraintManager::IsFullyConstrained @0x005560D0")]
+    [Behaviour("steering.leash.fully-constrained", "spec/09, 6.5; ConstraintManager::IsFullyConstrained @0x005560D0")]
     [InlineData(45f, 50f, false)]
     [InlineData(45.01f, 50f, true)]
     [InlineData(18f, 20f, false)]
@@ -49,7 +49,7 @@ public class ConstraintTests
     }
 
     [Theory]
-    [Behaviour("steering.leash.runs-out", "09, 6.5")]
+    [Behaviour("steering.leash.runs-out", "spec/09, 6.5")]
     [InlineData(
         0.353333354f, 10f, 50f,
         29, 10.2466698f, 30, 10.5978241f, 60, 19.8059883f, 90, 26.8622303f, 150, 36.4130211f, 300, 46.4097443f, 600, 49.7493095f)]
@@ -69,7 +69,7 @@ public class ConstraintTests
     }
 
     [Fact]
-    [Behaviour("steering.leash.counts-path", "09, 3.4")]
+    [Behaviour("steering.leash.counts-path", "spec/09, 3.4")]
     public void A_leash_counts_path_and_not_distance()
     {
         body.ConstrainTo(body.Position, 10, 50);
@@ -86,7 +86,7 @@ public class ConstraintTests
     }
 
     [Theory]
-    [Behaviour("steering.leash.lengths", "09, 3.5; CPhysicsObj::GetStartConstraintDistance @0x0050EBC0")]
+    [Behaviour("steering.leash.lengths", "spec/09, 3.5; CPhysicsObj::GetStartConstraintDistance @0x0050EBC0")]
     [InlineData(0xA9B40019u, 10f, 50f)]
     [InlineData(0xA9B40100u, 5f, 20f)]
     [InlineData(0u, 10f, 50f)]

@@ -12,7 +12,7 @@ public class InterpolationTests
     private readonly FakeSteeredBody body = new(new FakeSteeredWorld(), 1, new Vector3(10, 10, 0));
 
     [Fact]
-    [Behaviour("steering.interpolation.catches-up-at-twice-the-speed", "09, 6.1; InterpolationManager::adjust_offset @0x00555D30")]
+    [Behaviour("steering.interpolation.catches-up-at-twice-the-speed", "spec/09, 6.1; InterpolationManager::adjust_offset @0x00555D30")]
     public void A_body_catches_up_at_twice_its_running_speed()
     {
         body.InterpolateTo(FakeSteeredBody.At(10, 11), keepHeading: false);
@@ -33,7 +33,7 @@ public class InterpolationTests
     }
 
     [Fact]
-    [Behaviour("steering.interpolation.runner-uses-its-own-speed", "09, 3.2 step 3 and 6.1")]
+    [Behaviour("steering.interpolation.runner-uses-its-own-speed", "spec/09, 3.2 step 3 and 6.1")]
     public void A_runner_is_caught_up_with_at_twice_the_speed_of_its_own_run()
     {
         body.Adjusted = Run;
@@ -52,7 +52,7 @@ public class InterpolationTests
     }
 
     [Fact]
-    [Behaviour("steering.interpolation.long-quanta", "09, 6.1")]
+    [Behaviour("steering.interpolation.long-quanta", "spec/09, 6.1")]
     public void Long_quanta_take_long_steps()
     {
         body.Adjusted = Run;
@@ -66,7 +66,7 @@ public class InterpolationTests
     }
 
     [Fact]
-    [Behaviour("steering.interpolation.heading-at-once", "09, 6.2")]
+    [Behaviour("steering.interpolation.heading-at-once", "spec/09, 6.2")]
     public void The_heading_of_a_position_is_taken_in_the_first_quantum()
     {
         body.InterpolateTo(FakeSteeredBody.At(11, 10, heading: 90), keepHeading: false);
@@ -81,7 +81,7 @@ public class InterpolationTests
     }
 
     [Fact]
-    [Behaviour("steering.interpolation.keep-heading", "09, 6.2")]
+    [Behaviour("steering.interpolation.keep-heading", "spec/09, 6.2")]
     public void A_body_that_keeps_its_heading_walks_sideways()
     {
         body.SetHeading(45);
@@ -95,7 +95,7 @@ public class InterpolationTests
     }
 
     [Fact]
-    [Behaviour("steering.interpolation.already-there", "09, 3.2 and 6.2; InterpolationManager::InterpolateTo @0x00555B20")]
+    [Behaviour("steering.interpolation.already-there", "spec/09, 3.2 and 6.2; InterpolationManager::InterpolateTo @0x00555B20")]
     public void A_position_where_the_body_is_turns_it_and_ends_the_queue()
     {
         body.InterpolateTo(FakeSteeredBody.At(10, 20), keepHeading: false);
@@ -107,7 +107,7 @@ public class InterpolationTests
     }
 
     [Fact]
-    [Behaviour("steering.interpolation.queue-of-twenty", "09, 6.3")]
+    [Behaviour("steering.interpolation.queue-of-twenty", "spec/09, 6.3")]
     public void Twenty_positions_are_kept_and_near_ones_replace_each_other()
     {
         for (int y = 11; y <= 35; y++) body.InterpolateTo(FakeSteeredBody.At(10, y), keepHeading: false);
@@ -119,7 +119,7 @@ public class InterpolationTests
     }
 
     [Fact]
-    [Behaviour("steering.interpolation.reached-lets-root-motion-through", "09, 6.3")]
+    [Behaviour("steering.interpolation.reached-lets-root-motion-through", "spec/09, 6.3")]
     public void In_the_quantum_in_which_a_position_is_reached_the_body_moves_by_itself()
     {
         body.Root = new Vector3(0, 0.1f, 0);
@@ -135,7 +135,7 @@ public class InterpolationTests
     }
 
     [Fact]
-    [Behaviour("steering.interpolation.blip-when-stuck", "09, 6.4 a; InterpolationManager::UseTime @0x00555F20")]
+    [Behaviour("steering.interpolation.blip-when-stuck", "spec/09, 6.4 a; InterpolationManager::UseTime @0x00555F20")]
     public void A_body_that_cannot_get_there_is_put_there()
     {
         body.Blocked = true;
@@ -149,7 +149,7 @@ public class InterpolationTests
     }
 
     [Fact]
-    [Behaviour("steering.interpolation.refused-blip-is-tried-again", "09, 6.4 a")]
+    [Behaviour("steering.interpolation.refused-blip-is-tried-again", "spec/09, 6.4 a")]
     public void A_refused_blip_is_tried_again_after_every_quantum()
     {
         (body.Blocked, body.Refuses) = (true, true);
@@ -167,7 +167,7 @@ public class InterpolationTests
     }
 
     [Fact]
-    [Behaviour("steering.interpolation.fourth-failure-blips-to-the-newest", "09, 6.4 b")]
+    [Behaviour("steering.interpolation.fourth-failure-blips-to-the-newest", "spec/09, 6.4 b")]
     public void The_fourth_position_given_up_puts_the_body_to_the_newest()
     {
         body.Blocked = true;
@@ -184,7 +184,7 @@ public class InterpolationTests
     }
 
     [Theory]
-    [Behaviour("steering.interpolation.least-progress", "09, 6.4 c")]
+    [Behaviour("steering.interpolation.least-progress", "spec/09, 6.4 c")]
     [InlineData(4f, 1f / 30, 0.400000006f, false)]
     [InlineData(4f, 1f / 30, 0.400000036f, true)]
     [InlineData(10.6000004f, 1f / 30, 1.06000006f, false)]
@@ -210,7 +210,7 @@ public class InterpolationTests
     }
 
     [Fact]
-    [Behaviour("steering.interpolation.close-enough-is-given-up-quietly", "09, 6.4 d")]
+    [Behaviour("steering.interpolation.close-enough-is-given-up-quietly", "spec/09, 6.4 d")]
     public void Close_to_its_place_a_body_gives_up_without_a_blip()
     {
         body.Blocked = true;
@@ -220,7 +220,7 @@ public class InterpolationTests
     }
 
     [Fact]
-    [Behaviour("steering.interpolation.stuck-to-something-never-fails", "09, 6.4 e")]
+    [Behaviour("steering.interpolation.stuck-to-something-never-fails", "spec/09, 6.4 e")]
     public void A_body_that_sticks_to_something_never_fails()
     {
         // The object it sticks to is not there, so that nothing but the sticking itself counts.
@@ -232,7 +232,7 @@ public class InterpolationTests
     }
 
     [Theory]
-    [Behaviour("steering.interpolation.far-is-a-blip", "09, 6.4 f; CPhysicsObj::GetAutonomyBlipDistance @0x0050EB70")]
+    [Behaviour("steering.interpolation.far-is-a-blip", "spec/09, 6.4 f; CPhysicsObj::GetAutonomyBlipDistance @0x0050EB70")]
     [InlineData(0xA9B40019u, false, 100f, false)]
     [InlineData(0xA9B40019u, false, 100.01f, true)]
     [InlineData(0xA9B40101u, false, 20f, false)]
@@ -251,7 +251,7 @@ public class InterpolationTests
     }
 
     [Fact]
-    [Behaviour("steering.interpolation.distance-counts-from-the-newest", "09, 6.4 f")]
+    [Behaviour("steering.interpolation.distance-counts-from-the-newest", "spec/09, 6.4 f")]
     public void What_is_too_far_is_measured_from_the_newest_position()
     {
         body.InterpolateTo(FakeSteeredBody.At(10, 60), keepHeading: false);
@@ -260,7 +260,7 @@ public class InterpolationTests
     }
 
     [Fact]
-    [Behaviour("steering.interpolation.sleeps-without-contact", "09, 3.2 step 1")]
+    [Behaviour("steering.interpolation.sleeps-without-contact", "spec/09, 3.2 step 1")]
     public void In_the_air_the_positions_wait()
     {
         body.InterpolateTo(FakeSteeredBody.At(10, 11), keepHeading: false);
@@ -271,7 +271,7 @@ public class InterpolationTests
     }
 
     [Fact]
-    [Behaviour("steering.interpolation.speedless-bodies-use-a-fixed-speed", "09, 3.2 step 3")]
+    [Behaviour("steering.interpolation.speedless-bodies-use-a-fixed-speed", "spec/09, 3.2 step 3")]
     public void A_body_without_speed_is_moved_at_seven_and_a_half_metres_a_second()
     {
         body.Speed = 0;

@@ -7,7 +7,7 @@ namespace Surefoot.Physics.Tests.Steering;
 public class StampTests
 {
     [Theory]
-    [Behaviour("stamps.newer-wraps-around", "09, 6.7; CPhysicsObj::is_newer @0x00451AD0")]
+    [Behaviour("stamps.newer-wraps-around", "spec/09, 6.7; CPhysicsObj::is_newer @0x00451AD0")]
     [InlineData(10, 11, true)]
     [InlineData(11, 10, false)]
     [InlineData(10, 10, false)]
@@ -27,7 +27,7 @@ public class StampTests
         Assert.Equal(newer, ObjectStamps.IsNewer((ushort)stored, (ushort)incoming));
 
     [Theory]
-    [Behaviour("stamps.position", "09, 6.7; CPhysicsObj::MoveOrTeleport @0x00516330")]
+    [Behaviour("stamps.position", "spec/09, 6.7; CPhysicsObj::MoveOrTeleport @0x00516330")]
     [InlineData(0, 7, true, 30f, 5f, true, "interpolated", 0, 7)]
     [InlineData(65535, 7, true, 30f, 5f, true, "dropped", 65535, 7)]
     [InlineData(65535, 8, true, 30f, 5f, true, "dropped", 65535, 7)]
@@ -62,7 +62,7 @@ public class StampTests
     }
 
     [Theory]
-    [Behaviour("stamps.motion", "09, 6.7; CPhysics::SetObjectMovement @0x00509690")]
+    [Behaviour("stamps.motion", "spec/09, 6.7; CPhysics::SetObjectMovement @0x00509690")]
     [InlineData(10, 3, true, 10, 3)]
     [InlineData(10, 4, true, 10, 4)]
     [InlineData(9, 4, false, 9, 3)]
@@ -76,7 +76,7 @@ public class StampTests
     }
 
     [Theory]
-    [Behaviour("stamps.forced-position", "08, 4.4 step 1")]
+    [Behaviour("stamps.forced-position", "spec/08, 4.4 step 1")]
     [InlineData(5, true, 77)]
     [InlineData(7, true, 77)]
     [InlineData(3, false, 60)]
@@ -89,7 +89,7 @@ public class StampTests
     }
 
     [Theory]
-    [Behaviour("stamps.instance", "09, 5.1")]
+    [Behaviour("stamps.instance", "spec/09, 5.1")]
     [InlineData(4, InstanceAge.Current)]
     [InlineData(5, InstanceAge.Ahead)]
     [InlineData(3, InstanceAge.Stale)]
@@ -99,7 +99,7 @@ public class StampTests
         Assert.Equal(age, new ObjectStamps([0, 0, 0, 0, 0, 0, 0, 0, 4]).AgeOf((ushort)instance));
 
     [Fact]
-    [Behaviour("stamps.repeated-messages-are-dropped", "09, 5.2; CPhysicsObj::newer_event @0x00451B10")]
+    [Behaviour("stamps.repeated-messages-are-dropped", "spec/09, 5.2; CPhysicsObj::newer_event @0x00451B10")]
     public void A_message_that_comes_again_is_dropped()
     {
         ObjectStamps stamps = default;

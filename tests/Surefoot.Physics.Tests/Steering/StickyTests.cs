@@ -19,7 +19,7 @@ public class StickyTests
     }
 
     [Theory]
-    [Behaviour("steering.sticky.one-quantum", "09, 6.6; StickyManager::adjust_offset @0x00555430")]
+    [Behaviour("steering.sticky.one-quantum", "spec/09, 6.6; StickyManager::adjust_offset @0x00555430")]
     [InlineData(0f, 10f, 14f, 0f, 4f, 0f, 0.666666687f, 0f)]
     [InlineData(0f, 14f, 10f, 0f, 4f, 0.666666687f, 0f, 90f)]
     [InlineData(90f, 10f, 14f, 0f, 4f, -0.666666687f, 0f, 270f)]
@@ -42,7 +42,7 @@ public class StickyTests
     }
 
     [Fact]
-    [Behaviour("steering.sticky.stays-next-to-it", "09, 6.6")]
+    [Behaviour("steering.sticky.stays-next-to-it", "spec/09, 6.6")]
     public void A_body_comes_up_to_its_target_and_stays_there()
     {
         body.StickToObject(TargetId);
@@ -54,7 +54,7 @@ public class StickyTests
     }
 
     [Fact]
-    [Behaviour("steering.sticky.one-second", "09, 6.6; StickyManager::UseTime @0x00555610")]
+    [Behaviour("steering.sticky.one-second", "spec/09, 6.6; StickyManager::UseTime @0x00555610")]
     public void It_lasts_a_second_whatever_the_target_does()
     {
         body.StickToObject(TargetId);
@@ -69,7 +69,7 @@ public class StickyTests
     }
 
     [Fact]
-    [Behaviour("steering.sticky.again-releases-first", "09, 6.6; StickyManager::StickTo @0x00555710")]
+    [Behaviour("steering.sticky.again-releases-first", "spec/09, 6.6; StickyManager::StickTo @0x00555710")]
     public void Sticking_again_lets_go_first_and_that_ends_a_move_to()
     {
         body.StickToObject(TargetId);
@@ -86,7 +86,7 @@ public class StickyTests
     }
 
     [Fact]
-    [Behaviour("steering.sticky.parent-is-stuck-to", "09, 3.3; CPhysicsObj::stick_to_object @0x005127E0")]
+    [Behaviour("steering.sticky.parent-is-stuck-to", "spec/09, 3.3; CPhysicsObj::stick_to_object @0x005127E0")]
     public void What_a_creature_holds_is_stuck_to_at_the_creature()
     {
         _ = new FakeSteeredBody(world, 3, new Vector3(0, 0, 0)) { Parent = target };
@@ -98,7 +98,7 @@ public class StickyTests
     }
 
     [Fact]
-    [Behaviour("steering.sticky.ends-with-its-target", "09, 3.3; StickyManager::HandleUpdateTarget @0x00555780")]
+    [Behaviour("steering.sticky.ends-with-its-target", "spec/09, 3.3; StickyManager::HandleUpdateTarget @0x00555780")]
     public void A_target_that_leaves_the_world_is_let_go()
     {
         body.StickToObject(TargetId);
@@ -108,7 +108,7 @@ public class StickyTests
     }
 
     [Fact]
-    [Behaviour("steering.sticky.unknown-target-waits", "09, 3.3")]
+    [Behaviour("steering.sticky.unknown-target-waits", "spec/09, 3.3")]
     public void Sticking_to_what_is_not_there_moves_nothing()
     {
         body.MakePositionManager().StickTo(99, 0.5f);
@@ -117,7 +117,7 @@ public class StickyTests
     }
 
     [Fact]
-    [Behaviour("steering.sticky.overrides-interpolation", "09, 3.1 and 3.3")]
+    [Behaviour("steering.sticky.overrides-interpolation", "spec/09, 3.1 and 3.3")]
     public void Sticking_overrides_the_way_to_a_servers_position()
     {
         body.InterpolateTo(FakeSteeredBody.At(20, 10), keepHeading: false);
@@ -127,7 +127,7 @@ public class StickyTests
     }
 
     [Fact]
-    [Behaviour("steering.sticky.speedless-bodies-use-a-fixed-speed", "09, 3.3 step 4")]
+    [Behaviour("steering.sticky.speedless-bodies-use-a-fixed-speed", "spec/09, 3.3 step 4")]
     public void A_body_without_speed_sticks_at_fifteen_metres_a_second()
     {
         body.Speed = 0;
