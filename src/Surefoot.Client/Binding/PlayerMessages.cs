@@ -1,4 +1,5 @@
 using Surefoot.Physics.Motion;
+using Surefoot.Physics.Steering;
 using Surefoot.Protocol.Messages;
 using Surefoot.Protocol.Session;
 

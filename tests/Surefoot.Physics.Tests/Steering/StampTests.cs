@@ -24,7 +24,7 @@ public class StampTests
     [InlineData(40000, 7233, false)]
     [InlineData(32767, 65535, false)]
     public void Stamps_wrap_around(int stored, int incoming, bool newer) =>
-        Assert.Equal(newer, ObjectStamps.IsNewer((ushort)stored, (ushort)incoming));
+        Assert.Equal(newer, MessageStamps.IsNewer((ushort)stored, (ushort)incoming));
 
     [Theory]
     [Behaviour("stamps.position", "spec/09, 6.7; CPhysicsObj::MoveOrTeleport @0x00516330")]
@@ -45,7 +45,7 @@ public class StampTests
         int position, int teleport, bool contact, float playerDistance, float away, bool hasCell,
         string outcome, int positionAfter, int teleportAfter)
     {
-        ObjectStamps stamps = new([65535, 0, 0, 0, 7, 0, 0, 0, 0]);
+        MessageStamps stamps = new([65535, 0, 0, 0, 7, 0, 0, 0, 0]);
         FakeSteeredBody body = new(new FakeSteeredWorld(), 1, Vector3.Zero) { DistanceFromPlayer = playerDistance, InWorld = hasCell };
         body.InterpolateTo(FakeSteeredBody.At(0, -1), keepHeading: false);
         string did = "dropped";
@@ -70,7 +70,7 @@ public class StampTests
     public void A_motion_that_the_server_overtook_uses_up_its_stamp(
         int movement, int serverControl, bool accepted, int movementAfter, int serverControlAfter)
     {
-        ObjectStamps stamps = new([0, 9, 0, 0, 0, 3, 0, 0, 0]);
+        MessageStamps stamps = new([0, 9, 0, 0, 0, 3, 0, 0, 0]);
         Assert.Equal(accepted, stamps.TryAcceptMotion((ushort)movement, (ushort)serverControl));
         Assert.Equal((movementAfter, serverControlAfter), (stamps[ObjectStamp.Movement], stamps[ObjectStamp.ServerControlledMove]));
     }
@@ -82,7 +82,7 @@ public class StampTests
     [InlineData(3, false, 60)]
     public void A_correction_from_before_a_teleport_is_remembered_and_not_done(int teleport, bool forced, int position)
     {
-        ObjectStamps stamps = new([60, 0, 0, 0, 5, 0, 1, 0, 0]);
+        MessageStamps stamps = new([60, 0, 0, 0, 5, 0, 1, 0, 0]);
         Assert.Equal(forced, stamps.TryAcceptForcedPosition(77, (ushort)teleport, 2));
         Assert.Equal((position, 5, 2), (stamps[ObjectStamp.Position], stamps[ObjectStamp.Teleport], stamps[ObjectStamp.ForcePosition]));
         Assert.False(stamps.TryAcceptForcedPosition(78, 9, 2));
@@ -96,13 +96,13 @@ public class StampTests
     [InlineData(4 + 32767, InstanceAge.Ahead)]
     [InlineData(4 + 32768, InstanceAge.Stale)]
     public void A_message_for_another_life_of_the_object_waits_or_is_dropped(int instance, InstanceAge age) =>
-        Assert.Equal(age, new ObjectStamps([0, 0, 0, 0, 0, 0, 0, 0, 4]).AgeOf((ushort)instance));
+        Assert.Equal(age, new MessageStamps([0, 0, 0, 0, 0, 0, 0, 0, 4]).AgeOf((ushort)instance));
 
     [Fact]
     [Behaviour("stamps.repeated-messages-are-dropped", "spec/09, 5.2; CPhysicsObj::newer_event @0x00451B10")]
     public void A_message_that_comes_again_is_dropped()
     {
-        ObjectStamps stamps = default;
+        MessageStamps stamps = default;
         foreach (ObjectStamp stamp in Enum.GetValues<ObjectStamp>())
         {
             Assert.True(stamps.TryAdvance(stamp, 1));
@@ -110,8 +110,8 @@ public class StampTests
             Assert.False(stamps.TryAdvance(stamp, 0));
         }
 
-        Assert.Equal(new ObjectStamps([1, 1, 1, 1, 1, 1, 1, 1, 1]), stamps);
+        Assert.Equal(new MessageStamps([1, 1, 1, 1, 1, 1, 1, 1, 1]), stamps);
         Assert.NotEqual(default, stamps);
-        Assert.Throws<ArgumentException>(() => new ObjectStamps([1, 2]));
+        Assert.Throws<ArgumentException>(() => new MessageStamps([1, 2]));
     }
 }

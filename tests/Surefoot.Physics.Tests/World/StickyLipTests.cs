@@ -5,6 +5,7 @@ using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
+using Surefoot.Physics.Steering;
 using Surefoot.Physics.Tests.Assets;
 using Surefoot.Physics.Tests.Motion;
 using Surefoot.Physics.World;

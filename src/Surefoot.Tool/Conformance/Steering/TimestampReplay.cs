@@ -19,7 +19,7 @@ internal sealed class TimestampReplay
     private readonly StubWorld world;
     private readonly StubBody body;
     private readonly Dictionary<string, JsonElement> recorded = [];
-    private ObjectStamps stamps;
+    private MessageStamps stamps;
     private bool lastMoveWasAutonomous;
 
     private TimestampReplay(JsonElement run)
@@ -29,7 +29,7 @@ internal sealed class TimestampReplay
         body = new StubBody(world, new StubSettings(only));
         world.Add(body);
         if (only.TryGetProperty("stamps", out JsonElement list))
-            stamps = new ObjectStamps([.. list.EnumerateArray().Select(s => s.GetUInt16())]);
+            stamps = new MessageStamps([.. list.EnumerateArray().Select(s => s.GetUInt16())]);
     }
 
     /// <summary>Does the first case of a file belong here?</summary>
@@ -198,7 +198,7 @@ internal sealed class TimestampReplay
 
     private object ValueOf(string field) => field switch
     {
-        "stamps" => Enumerable.Range(0, ObjectStamps.Count).Select(i => (object)(int)stamps[(ObjectStamp)i]).ToArray(),
+        "stamps" => Enumerable.Range(0, MessageStamps.Count).Select(i => (object)(int)stamps[(ObjectStamp)i]).ToArray(),
         "cell" => body.Position.CellId,
         "pos" => body.Position.Frame.Origin,
         "rot" => body.Position.Frame.Rotation,

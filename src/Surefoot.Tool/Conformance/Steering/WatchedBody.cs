@@ -104,9 +104,12 @@ internal sealed class WatchedBody(string name)
 
     private static bool IsTurning(MoveToManager? moveTo) => moveTo is { CurrentCommand: MotionCommand.TurnRight or MotionCommand.TurnLeft };
 
-    private static object TargetOf(StubBody body) => body.TargetManager is { HasTarget: true } tracker
-        ? (object[])[tracker.Target.ObjectId, (int)tracker.Target.Status, tracker.Target.Quantum]
-        : 0;
+    private static object TargetOf(StubBody body)
+    {
+        if (body.TargetManager is not { HasTarget: true } tracker) return 0;
+        object[] target = [tracker.Target.ObjectId, (int)tracker.Target.Status, tracker.Target.Quantum];
+        return target;
+    }
 
     private static object[] VoyeursOf(StubBody body)
     {

@@ -52,7 +52,7 @@ public enum InstanceAge
 /// has no effect after that.
 /// </summary>
 /// <remarks>Retail: CPhysicsObj::update_times; specification 02, 2.7, 08, 4.3 and 09, 5.2.</remarks>
-public struct ObjectStamps : IEquatable<ObjectStamps>
+public struct MessageStamps : IEquatable<MessageStamps>
 {
     /// <summary>Number of stamps.</summary>
     public const int Count = 9;
@@ -62,7 +62,7 @@ public struct ObjectStamps : IEquatable<ObjectStamps>
     /// <summary>Stamps as CreateObject tells them.</summary>
     /// <param name="stamps">Nine stamps in the order of <see cref="ObjectStamp"/>.</param>
     /// <exception cref="ArgumentException">There are not nine.</exception>
-    public ObjectStamps(ReadOnlySpan<ushort> stamps)
+    public MessageStamps(ReadOnlySpan<ushort> stamps)
     {
         if (stamps.Length != Count) throw new ArgumentException("An object has nine stamps.", nameof(stamps));
         stamps.CopyTo(values);
@@ -143,10 +143,10 @@ public struct ObjectStamps : IEquatable<ObjectStamps>
     }
 
     /// <inheritdoc/>
-    public readonly bool Equals(ObjectStamps other) => ((ReadOnlySpan<ushort>)values).SequenceEqual(other.values);
+    public readonly bool Equals(MessageStamps other) => ((ReadOnlySpan<ushort>)values).SequenceEqual(other.values);
 
     /// <inheritdoc/>
-    public override readonly bool Equals(object? obj) => obj is ObjectStamps other && Equals(other);
+    public override readonly bool Equals(object? obj) => obj is MessageStamps other && Equals(other);
 
     /// <inheritdoc/>
     public override readonly int GetHashCode()
@@ -157,10 +157,10 @@ public struct ObjectStamps : IEquatable<ObjectStamps>
     }
 
     /// <summary>The same nine stamps.</summary>
-    public static bool operator ==(ObjectStamps left, ObjectStamps right) => left.Equals(right);
+    public static bool operator ==(MessageStamps left, MessageStamps right) => left.Equals(right);
 
     /// <summary>Not the same nine stamps.</summary>
-    public static bool operator !=(ObjectStamps left, ObjectStamps right) => !left.Equals(right);
+    public static bool operator !=(MessageStamps left, MessageStamps right) => !left.Equals(right);
 
     [InlineArray(Count)]
     private struct Values
