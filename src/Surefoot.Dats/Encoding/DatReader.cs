@@ -29,6 +29,13 @@ public ref struct DatReader
         File = file;
     }
 
+    private DatReader(DatReader from)
+    {
+        bytes = from.bytes;
+        RecordId = from.RecordId;
+        File = from.File;
+    }
+
     /// <summary>Name of the file, for errors.</summary>
     public string File { get; }
 
@@ -40,6 +47,9 @@ public ref struct DatReader
 
     /// <summary>Bytes left.</summary>
     public readonly long Remaining => bytes.Remaining;
+
+    /// <summary>A second cursor at the same place, for a reading that is only tried: it notes nothing odd.</summary>
+    internal readonly DatReader Fork() => new(this);
 
     /// <summary>An error at the current position.</summary>
     public readonly DatFormatException Error(string message) => Error(message, Position);

@@ -143,6 +143,8 @@ public sealed class Region : DatRecord, IDatRecord<Region>
         ImmutableArray<float> heights = reader.ReadArray(HeightCount, 4, static (ref r) => r.ReadSingle());
         GameTime time = GameTime.Read(ref reader);
         var parts = (RegionParts)reader.ReadUInt32();
+        bool hasScripts = FitOf(reader, parts, hasScripts: true) >= FitOf(reader, parts, hasScripts: false);
+        Rest rest = Rest.Read(ref reader, parts, hasScripts);
         return new()
         {
             Id = id,
@@ -153,12 +155,12 @@ public sealed class Region : DatRecord, IDatRecord<Region>
             HeightTable = heights,
             Time = time,
             Parts = parts,
-            Sky = parts.HasFlag(RegionParts.Sky) ? SkyDescription.Read(ref reader) : null,
-            Sounds = parts.HasFlag(RegionParts.Sound) ? reader.ReadList(8, AmbientSounds.Read) : [],
-            SceneTypes = parts.HasFlag(RegionParts.Scenes) ? reader.ReadList(8, SceneType.Read) : [],
-            TerrainTypes = reader.ReadList(12, TerrainType.Read),
-            Surface = LandSurface.Read(ref reader),
-            Misc = parts.HasFlag(RegionParts.Misc) ? ReadMisc(ref reader) : null,
+            Sky = rest.Sky,
+            Sounds = rest.Sounds,
+            SceneTypes = rest.SceneTypes,
+            TerrainTypes = rest.TerrainTypes,
+            Surface = rest.Surface,
+            Misc = rest.Misc,
         };
     }
 
@@ -189,6 +191,21 @@ public sealed class Region : DatRecord, IDatRecord<Region>
             WriteMisc(writer, misc);
     }
 
+    /// <summary>How well a reading with or without scripts in the sky fits: 2 ends exactly on the record's end, 1 leaves only what aligns it, 0 fails.</summary>
+    private static int FitOf(in DatReader atSky, RegionParts parts, bool hasScripts)
+    {
+        DatReader trial = atSky.Fork();
+        try
+        {
+            _ = Rest.Read(ref trial, parts, hasScripts);
+            return trial.ReadEnd() == 0 ? 2 : 1;
+        }
+        catch (DatFormatException)
+        {
+            return 0;
+        }
+    }
+
     private static RegionMisc ReadMisc(ref DatReader reader) => new(
         reader.ReadUInt32(), reader.ReadUInt32(), reader.ReadUInt32(), reader.ReadUInt32(), reader.ReadUInt32(), reader.ReadUInt32());
 
@@ -206,4 +223,22 @@ public sealed class Region : DatRecord, IDatRecord<Region>
         => DatWriter.Require(
             Parts.HasFlag(part) ? canBeWritten : absent,
             $"Region 0x{Id:X8}: the mask and the content of the part {part} contradict each other.");
+
+    /// <summary>What stands behind the mask of parts.</summary>
+    private sealed record Rest(
+        SkyDescription? Sky,
+        ImmutableArray<AmbientSounds> Sounds,
+        ImmutableArray<SceneType> SceneTypes,
+        ImmutableArray<TerrainType> TerrainTypes,
+        LandSurface Surface,
+        RegionMisc? Misc)
+    {
+        public static Rest Read(ref DatReader reader, RegionParts parts, bool hasScripts) => new(
+            parts.HasFlag(RegionParts.Sky) ? SkyDescription.Read(ref reader, hasScripts) : null,
+            parts.HasFlag(RegionParts.Sound) ? reader.ReadList(8, AmbientSounds.Read) : [],
+            parts.HasFlag(RegionParts.Scenes) ? reader.ReadList(8, SceneType.Read) : [],
+            reader.ReadList(12, TerrainType.Read),
+            LandSurface.Read(ref reader),
+            parts.HasFlag(RegionParts.Misc) ? ReadMisc(ref reader) : null);
+    }
 }

@@ -10,7 +10,7 @@ namespace Surefoot.Dats.Records;
 /// <param name="TextureVelocityX">Widths a second.</param>
 /// <param name="TextureVelocityY">Heights a second.</param>
 /// <param name="GfxObjId">Its shape.</param>
-/// <param name="ScriptId">Its physics script.</param>
+/// <param name="ScriptId">Its physics script; 0 where the sky stores none.</param>
 /// <param name="Properties">Bits.</param>
 public readonly record struct SkyObject(
     float Begin,
@@ -23,9 +23,11 @@ public readonly record struct SkyObject(
     uint ScriptId,
     uint Properties)
 {
-    internal const int Size = 36;
+    private const int Word = 4;
 
-    internal static SkyObject Read(ref DatReader reader) => new(
+    internal static int SizeOf(bool hasScript) => (hasScript ? 9 : 8) * Word;
+
+    internal static SkyObject Read(ref DatReader reader, bool hasScript) => new(
         reader.ReadSingle(),
         reader.ReadSingle(),
         reader.ReadSingle(),
@@ -33,11 +35,12 @@ public readonly record struct SkyObject(
         reader.ReadSingle(),
         reader.ReadSingle(),
         reader.ReadUInt32(),
-        reader.ReadUInt32(),
+        hasScript ? reader.ReadUInt32() : 0,
         reader.ReadUInt32());
 
-    internal static void Write(DatWriter writer, SkyObject thing)
+    internal static void Write(DatWriter writer, SkyObject thing, bool hasScript)
     {
+        DatWriter.Require(hasScript || thing.ScriptId == 0, "A thing in the sky has a script, but its sky stores none.");
         writer.WriteSingle(thing.Begin);
         writer.WriteSingle(thing.End);
         writer.WriteSingle(thing.BeginAngle);
@@ -45,7 +48,8 @@ public readonly record struct SkyObject(
         writer.WriteSingle(thing.TextureVelocityX);
         writer.WriteSingle(thing.TextureVelocityY);
         writer.WriteUInt32(thing.GfxObjId);
-        writer.WriteUInt32(thing.ScriptId);
+        if (hasScript)
+            writer.WriteUInt32(thing.ScriptId);
         writer.WriteUInt32(thing.Properties);
     }
 }
@@ -163,17 +167,17 @@ public sealed record DayGroup(float Chance, string Name, ImmutableArray<SkyObjec
 {
     internal const int LeastSize = 16;
 
-    internal static DayGroup Read(ref DatReader reader) => new(
+    internal static DayGroup Read(ref DatReader reader, bool hasScripts) => new(
         reader.ReadSingle(),
         reader.ReadPString(),
-        reader.ReadList(SkyObject.Size, SkyObject.Read),
+        reader.ReadList(SkyObject.SizeOf(hasScripts), (ref r) => SkyObject.Read(ref r, hasScripts)),
         reader.ReadList(SkyTime.LeastSize, SkyTime.Read));
 
-    internal static void Write(DatWriter writer, DayGroup group)
+    internal static void Write(DatWriter writer, DayGroup group, bool hasScripts)
     {
         writer.WriteSingle(group.Chance);
         writer.WritePString(group.Name);
-        writer.WriteList(group.Objects, SkyObject.Write);
+        writer.WriteList(group.Objects, (w, thing) => SkyObject.Write(w, thing, hasScripts));
         writer.WriteList(group.Times, SkyTime.Write);
     }
 }
@@ -185,13 +189,23 @@ public sealed record DayGroup(float Chance, string Name, ImmutableArray<SkyObjec
 /// <param name="DayGroups">Kinds of days.</param>
 public sealed record SkyDescription(double TickSize, double LightTickSize, ImmutableArray<DayGroup> DayGroups)
 {
-    internal static SkyDescription Read(ref DatReader reader)
-        => new(reader.ReadDouble(), reader.ReadDouble(), reader.ReadList(DayGroup.LeastSize, DayGroup.Read));
+    /// <summary>
+    /// Whether each thing in the sky is stored with a script, as in files from August 2012 on: nine words; without it eight. Nothing in a record says which, so it
+    /// is found by reading.
+    /// </summary>
+    public bool HasScripts { get; init; } = true;
+
+    internal static SkyDescription Read(ref DatReader reader, bool hasScripts)
+    {
+        double tick = reader.ReadDouble(), lightTick = reader.ReadDouble();
+        return new(tick, lightTick, reader.ReadList(DayGroup.LeastSize, (ref r) => DayGroup.Read(ref r, hasScripts))) { HasScripts = hasScripts };
+    }
 
     internal void Write(DatWriter writer)
     {
+        bool hasScripts = HasScripts;
         writer.WriteDouble(TickSize);
         writer.WriteDouble(LightTickSize);
-        writer.WriteList(DayGroups, DayGroup.Write);
+        writer.WriteList(DayGroups, (w, group) => DayGroup.Write(w, group, hasScripts));
     }
 }

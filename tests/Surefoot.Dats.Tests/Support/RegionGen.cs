@@ -56,10 +56,14 @@ internal static class RegionGen
             Seasons = seasons,
         };
 
-    private static Gen<SkyDescription> Sky()
+    private static Gen<SkyDescription> Sky() => Gen.Bool.SelectMany(Sky);
+
+    /// <summary>A sky of one kind; one without anything in it, which is the same in both kinds, counts as one with scripts.</summary>
+    public static Gen<SkyDescription> Sky(bool hasScripts)
     {
         var things = Gen.Select(
-            RecordGen.Numbers.Array[6], Gen.UInt.Array[3], (f, u) => new SkyObject(f[0], f[1], f[2], f[3], f[4], f[5], u[0], u[1], u[2]));
+            RecordGen.Numbers.Array[6], Gen.UInt.Array[3],
+            (f, u) => new SkyObject(f[0], f[1], f[2], f[3], f[4], f[5], u[0], hasScripts ? u[1] : 0, u[2]));
         var replacements = Gen.Select(
             Gen.UInt.Array[2], RecordGen.Numbers.Array[4], (u, f) => new SkyObjectReplacement(u[0], u[1], f[0], f[1], f[2], f[3]));
         var times = Gen.Select(RecordGen.Numbers.Array[7], RecordGen.Colors.Array[3], Gen.UInt, replacements.List(), (f, c, mode, list) => new SkyTime
@@ -79,7 +83,10 @@ internal static class RegionGen
         });
         var groups = Gen.Select(
             RecordGen.Numbers, RecordGen.Texts, things.List(), times.List(), (chance, name, objects, list) => new DayGroup(chance, name, objects, list));
-        return Gen.Select(RecordGen.Doubles, RecordGen.Doubles, groups.List(0, 2), (tick, light, list) => new SkyDescription(tick, light, list));
+        return Gen.Select(RecordGen.Doubles, RecordGen.Doubles, groups.List(0, 2), (tick, light, list) => new SkyDescription(tick, light, list)
+        {
+            HasScripts = hasScripts || list.All(group => group.Objects.IsEmpty),
+        });
     }
 
     private static Gen<AmbientSounds> Sounds() => Gen.Select(
