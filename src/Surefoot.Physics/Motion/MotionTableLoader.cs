@@ -2,24 +2,59 @@ using Surefoot.Dats;
 using Surefoot.Dats.Records;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Geometry;
+using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Motion;
 
 /// <summary>Makes motion tables from records.</summary>
 public static class MotionTableLoader
 {
-    /// <summary>Reads a motion table and the animations it names.</summary>
+    /// <summary>Reads a motion table and the animations it names. An animation that is missing, as in retail, or cannot be read is left out.</summary>
     /// <param name="source">Where from.</param>
     /// <param name="id">Motion table id, e.g. 0x09000001.</param>
     /// <param name="withParts">
     /// Load where the parts are as well: for bodies that stop others by the trees of their parts, such as doors. It takes much memory and nobody else asks for it.
     /// </param>
-    /// <exception cref="DatRecordMissingException">There is no such table. A missing animation is left out, as in retail.</exception>
-    /// <exception cref="DatFormatException">The bytes of the table or of an animation are wrong.</exception>
-    public static MotionTableAsset Load(IDatSource source, uint id, bool withParts = false)
+    /// <param name="leftOut">Where animations that are left out are listed, usually <see cref="PhysicsWorld.LeftOut"/>.</param>
+    /// <exception cref="DatRecordMissingException">There is no such table.</exception>
+    /// <exception cref="DatFormatException">The bytes of the table are wrong.</exception>
+    public static MotionTableAsset Load(IDatSource source, uint id, bool withParts = false, LeftOutList? leftOut = null) =>
+        Load(source, id, requestedBy: null, withParts, leftOut);
+
+    /// <summary>Reads the motion table that a setup names, as <see cref="Load"/> does.</summary>
+    /// <param name="source">Where from.</param>
+    /// <param name="setup">The setup.</param>
+    /// <param name="withParts">Load where the parts are as well.</param>
+    /// <param name="leftOut">Where animations that are left out are listed.</param>
+    /// <exception cref="InvalidDataException">The setup names none. The message is one sentence for people.</exception>
+    /// <exception cref="DatRecordMissingException">There is no such table.</exception>
+    /// <exception cref="DatFormatException">The bytes of the table are wrong.</exception>
+    public static MotionTableAsset LoadFor(IDatSource source, SetupAsset setup, bool withParts = false, LeftOutList? leftOut = null)
+    {
+        ArgumentNullException.ThrowIfNull(setup);
+        if (setup.DefaultMotionTableId == 0) throw new InvalidDataException($"Setup 0x{setup.Id:X8} names no motion table, and such a body cannot walk by itself.");
+        return Load(source, setup.DefaultMotionTableId, setup.Id, withParts, leftOut);
+    }
+
+    private static MotionTableAsset Load(IDatSource source, uint id, uint? requestedBy, bool withParts, LeftOutList? leftOut)
     {
         ArgumentNullException.ThrowIfNull(source);
-        return Create(source.Read<MotionTable>(id), animation => source.TryRead(animation, out Animation? record) ? record : null, withParts);
+        return Create(source.Read<MotionTable>(id, requestedBy), FindAnimation, withParts);
+
+        Animation? FindAnimation(uint animation)
+        {
+            if (animation == 0) return null;
+            try
+            {
+                Animation record = source.Read<Animation>(animation);
+                return record.Frames.Length > 0 ? record : throw new DatFormatException(record.File, animation, PhysicsDataCache.AnimationCounts, "it has no frames");
+            }
+            catch (Exception fault) when (fault is DatRecordMissingException or DatFormatException)
+            {
+                leftOut?.Add(LeftOutItem.Of(LeftOutKind.Animation, animation, id, fault));
+                return null;
+            }
+        }
     }
 
     /// <summary>Flattens a motion table.</summary>

@@ -26,7 +26,7 @@ internal sealed class LandblockFaults(bool strict)
     {
         bool asInRetail = kind is not (LeftOutKind.Landblock or LeftOutKind.Room) && fault is DatRecordMissingException missing && missing.Id == id;
         if (strict && !asInRetail) ExceptionDispatchInfo.Throw(fault);
-        items.Add(Describe(kind, id, fault) with { FirstIn = firstIn });
+        items.Add(LeftOutItem.Of(kind, id, firstIn, fault));
     }
 
     /// <summary>Leaves out rooms that an info record promises and that are in no file: one item for all in a row, since a wrong count may promise thousands.</summary>
@@ -41,12 +41,5 @@ internal sealed class LandblockFaults(bool strict)
     {
         items.Clear();
         LeaveOut(LeftOutKind.Landblock, recordId, 0, fault);
-    }
-
-    private static LeftOutItem Describe(LeftOutKind kind, uint id, Exception fault)
-    {
-        if (fault is not DatFormatException wrong) return new LeftOutItem(kind, id, fault.Message.TrimEnd('.'));
-        string reason = wrong.RecordId is uint culprit && culprit != id ? $"record 0x{culprit:X8}: {wrong.Reason}" : wrong.Reason;
-        return new LeftOutItem(kind, id, reason, wrong.File, wrong.Offset);
     }
 }

@@ -1,4 +1,5 @@
 using System.Globalization;
+using Surefoot.Dats;
 
 namespace Surefoot.Physics.World;
 
@@ -46,6 +47,14 @@ public sealed record LeftOutItem(LeftOutKind Kind, uint Id, string Reason, strin
 
     /// <summary>How many of this kind and id are left out for this reason.</summary>
     public long Count { get; init; } = 1;
+
+    /// <summary>The item for a record that is missing or wrong.</summary>
+    internal static LeftOutItem Of(LeftOutKind kind, uint id, uint firstIn, Exception fault)
+    {
+        if (fault is not DatFormatException wrong) return new LeftOutItem(kind, id, fault.Message.TrimEnd('.')) { FirstIn = firstIn };
+        string reason = wrong.RecordId is uint culprit && culprit != id ? $"record 0x{culprit:X8}: {wrong.Reason}" : wrong.Reason;
+        return new LeftOutItem(kind, id, reason, wrong.File, wrong.Offset) { FirstIn = firstIn };
+    }
 
     /// <summary>All of it in one line, for people.</summary>
     public override string ToString()
