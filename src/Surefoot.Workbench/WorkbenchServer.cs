@@ -74,7 +74,7 @@ public sealed class WorkbenchServer : IAsyncDisposable
         try
         {
             string name = demo ? "Demo world" : Path.GetFileName(Path.TrimEndingDirectorySeparator(dats.Folder));
-            world = new SimulatedWorld(name, dats, places, logger, demo ? DemoSpawns.All : []);
+            world = new SimulatedWorld(name, dats, places, logger, demo ? DemoSpawns.All : []) { Notice = options.Notice };
             return await StartAsync(world, options, cancellation).ConfigureAwait(false);
         }
         catch
@@ -148,6 +148,7 @@ public sealed class WorkbenchServer : IAsyncDisposable
         app.UseRouting();
         PageFiles page = new();
         app.MapGet("/places.json", () => Results.Json(Listing(world)));
+        app.MapGet("/left-out.json", () => Results.Json(LeftOut(world)));
         app.MapGet("/stats.json", () => Results.Json(Statistics(counters)));
         app.MapGet("/terrain/{block}/{radius:int}", (string block, int radius) => Terrain(world, block, radius));
         app.MapGet("/shapes/{block}", (string block) => Shapes(world, block));
@@ -191,6 +192,8 @@ public sealed class WorkbenchServer : IAsyncDisposable
             hint = place.Hint,
         }),
     };
+
+    private static object LeftOut(IWorkbenchWorld world) => new { total = world.LeftOut.Total, lines = world.LeftOut.Lines };
 
     private static object Statistics(ServerCounters counters) => new
     {

@@ -1,7 +1,10 @@
 using System.Collections.Concurrent;
 using System.Globalization;
+using System.Numerics;
 using System.Text.Json;
 using Microsoft.Playwright;
+using Surefoot.Dats;
+using Surefoot.DemoWorld;
 using Surefoot.Workbench.Simulation;
 using Surefoot.Workbench.Tests.Support;
 
@@ -57,6 +60,34 @@ public sealed class BrowserTests(Browser browser) : IAsyncLifetime
         }
 
         throw new TimeoutException("The page never drew a pose it had.");
+    }
+
+    [Fact]
+    [Behaviour("workbench.browser.left-out", "spec/07, 9.1")]
+    public async Task A_world_with_damaged_files_is_played_and_the_panel_says_what_is_left_out()
+    {
+        DirectoryInfo folder = Directory.CreateTempSubdirectory("surefoot-damaged");
+        try
+        {
+            DemoWorldBuilder.Write(folder.FullName);
+            using (DatFileEditor editor = DatFileEditor.Open(Path.Combine(folder.FullName, DatSet.CellName)))
+            {
+                editor.Put(0xA8B50100, [0xFF, 0xFF, 0xFF]);
+                editor.Complete();
+            }
+
+            await using WorkbenchServer damaged = await WorkbenchServer.StartAsync(
+                new WorkbenchOptions { Port = 0, DatFolder = folder.FullName, Places = [new WorkbenchPlace("Beside the damage", 0xA8B50001, new Vector3(12, 12, float.NaN), 0)] });
+            await using Tab tab = await browser.OpenAsync(damaged);
+            await tab.Until("!document.getElementById('left-out').hidden", "the panel tells of what is left out");
+            Assert.Contains("Left out of the world", (await tab.Read("document.querySelector('#left-out summary').textContent")).GetString(), StringComparison.Ordinal);
+            Assert.Contains("A8B50100", (await tab.Read("document.querySelector('#left-out ul').textContent")).GetString(), StringComparison.Ordinal);
+            Assert.Empty(tab.Complaints);
+        }
+        finally
+        {
+            folder.Delete(recursive: true);
+        }
     }
 
     [Fact]

@@ -13,7 +13,7 @@ namespace Surefoot.Physics.Assets;
 public sealed class PhysicsDataCache
 {
     /// <summary>Where an animation record has its numbers of parts and frames.</summary>
-    private const long AnimationCounts = 8;
+    internal const long AnimationCounts = 8;
 
     private readonly ConcurrentDictionary<uint, GfxObjAsset> meshes = new();
     private readonly ConcurrentDictionary<uint, EnvironmentAsset> environments = new();

@@ -19,7 +19,7 @@ public static class MotionTableLoader
     /// <exception cref="DatRecordMissingException">There is no such table.</exception>
     /// <exception cref="DatFormatException">The bytes of the table are wrong.</exception>
     public static MotionTableAsset Load(IDatSource source, uint id, bool withParts = false, LeftOutList? leftOut = null) =>
-        Load(source, id, requestedBy: null, withParts, leftOut);
+        LoadNamed(source, id, requestedBy: null, withParts, leftOut);
 
     /// <summary>Reads the motion table that a setup names, as <see cref="Load"/> does.</summary>
     /// <param name="source">Where from.</param>
@@ -33,10 +33,10 @@ public static class MotionTableLoader
     {
         ArgumentNullException.ThrowIfNull(setup);
         if (setup.DefaultMotionTableId == 0) throw new InvalidDataException($"Setup 0x{setup.Id:X8} names no motion table, and such a body cannot walk by itself.");
-        return Load(source, setup.DefaultMotionTableId, setup.Id, withParts, leftOut);
+        return LoadNamed(source, setup.DefaultMotionTableId, setup.Id, withParts, leftOut);
     }
 
-    private static MotionTableAsset Load(IDatSource source, uint id, uint? requestedBy, bool withParts, LeftOutList? leftOut)
+    private static MotionTableAsset LoadNamed(IDatSource source, uint id, uint? requestedBy, bool withParts, LeftOutList? leftOut)
     {
         ArgumentNullException.ThrowIfNull(source);
         return Create(source.Read<MotionTable>(id, requestedBy), FindAnimation, withParts);
@@ -44,16 +44,20 @@ public static class MotionTableLoader
         Animation? FindAnimation(uint animation)
         {
             if (animation == 0) return null;
+            Exception fault;
             try
             {
-                Animation record = source.Read<Animation>(animation);
-                return record.Frames.Length > 0 ? record : throw new DatFormatException(record.File, animation, PhysicsDataCache.AnimationCounts, "it has no frames");
+                if (!source.TryRead(animation, out Animation? record)) fault = new DatRecordMissingException(animation, DatRecordType.Animation);
+                else if (record.Frames.Length == 0) fault = new DatFormatException(record.File, animation, PhysicsDataCache.AnimationCounts, "it has no frames");
+                else return record;
             }
-            catch (Exception fault) when (fault is DatRecordMissingException or DatFormatException)
+            catch (DatFormatException unreadable)
             {
-                leftOut?.Add(LeftOutItem.Of(LeftOutKind.Animation, animation, id, fault));
-                return null;
+                fault = unreadable;
             }
+
+            leftOut?.Add(LeftOutItem.Of(LeftOutKind.Animation, animation, id, fault));
+            return null;
         }
     }
 

@@ -55,6 +55,7 @@ internal static class ConformCommand
                 DirectoryInfo folder = parsed.GetValue(dats) ??
                     throw new UsageException("Walks, sweeps and placements need the world they were recorded in: --dats DIR");
                 using WalkScene world = WalkScene.OpenWhole(folder);
+                CommonOptions.SayLeftOut(world.World.LeftOut);
                 AddWalks(world, cases, report, parsed.GetValue(json));
                 if (oracles.Count > 0)
                 {

@@ -4,6 +4,8 @@ using System.Text.Json;
 using Spectre.Console;
 using Surefoot.Dats;
 using Surefoot.Dats.Records;
+using Surefoot.Physics.World;
+using Surefoot.Tool.Inspection;
 using Surefoot.Tool.Output;
 
 namespace Surefoot.Tool.Commands;
@@ -106,7 +108,13 @@ internal static class DatsCommand
     {
         Argument<DirectoryInfo> folder = FolderArgument();
         Option<bool> json = new("--json") { Description = "Print one JSON object." };
-        Command command = new("verify", "Reads every record, decodes it, encodes it again and compares the bytes.\n\nExample:\n  surefoot dats verify DIR") { folder, json };
+        Command command = new(
+            "verify",
+            "Reads every record, decodes it, encodes it again and compares the bytes; then loads every landblock and lists what a world has to leave out.\n\n" +
+            "Example:\n  surefoot dats verify DIR")
+        {
+            folder, json,
+        };
         command.SetAction((parsed, cancellation) =>
         {
             using DatSet set = DatSet.Open(parsed.GetRequiredValue(folder).FullName);
@@ -122,6 +130,7 @@ internal static class DatsCommand
                     if (!result.IsGood) bad.Add(result);
                 }
             });
+            WorldCheck check = ProgressBar.Run("landblocks", parsed.GetValue(json), report => WorldCheck.Of(set, report, cancellation));
             var summary = new
             {
                 Records = outcomes.Sum(),
@@ -131,6 +140,22 @@ internal static class DatsCommand
                 Failed = outcomes[(int)DatVerifyOutcome.Failed],
                 Remarks = remarks,
                 Faults = bad.Select(b => new { File = Path.GetFileName(b.File), Id = $"{b.Id:X8}", Kind = b.Type.ToString(), Outcome = b.Outcome.ToString(), b.Message }),
+                check.Region,
+                LeftOut = new
+                {
+                    check.LeftOut.Total,
+                    check.LeftOut.Unlisted,
+                    Items = check.LeftOut.Select(item => new
+                    {
+                        Kind = item.Kind.ToString(),
+                        Id = $"{item.Id:X8}",
+                        FirstIn = $"{item.FirstIn:X8}",
+                        item.Reason,
+                        File = Path.GetFileName(item.File),
+                        item.Offset,
+                        item.Count,
+                    }),
+                },
             };
             if (parsed.GetValue(json))
             {
@@ -141,9 +166,12 @@ internal static class DatsCommand
                 foreach (DatVerifyResult b in bad) Console.Out.WriteLine($"{Path.GetFileName(b.File)} {b.Id:X8} {b.Type} {b.Outcome}: {b.Message}");
                 Console.Out.WriteLine(
                     $"{summary.Records} records: {summary.Identical} identical after decoding and encoding, {summary.Opaque} carried as bytes, {summary.Different} different, {summary.Failed} unreadable");
+                Console.Out.WriteLine($"Region: {check.Region}");
+                foreach (LeftOutItem item in check.LeftOut) Console.Out.WriteLine($"left out: {item}");
+                if (check.HasRegion) Console.Out.WriteLine($"left out of a world of these files: {Number(check.LeftOut.Total)}");
             }
 
-            return Task.FromResult(bad.Count == 0 ? ExitCode.Done : ExitCode.Failed);
+            return Task.FromResult(bad.Count == 0 && check.IsComplete ? ExitCode.Done : ExitCode.Failed);
         });
         return command;
     }

@@ -44,7 +44,7 @@ internal sealed class WalkScene : IDisposable
 
     internal SetupAsset PlayerSetup => Cache.GetSetup(HumanSetup);
 
-    internal MotionTableAsset PlayerMotions => MotionTableLoader.Load(dats, PlayerSetup.DefaultMotionTableId);
+    internal MotionTableAsset PlayerMotions => MotionTableLoader.LoadFor(dats, PlayerSetup, leftOut: World.LeftOut);
 
     /// <summary>Opens a folder, or the demo world without one.</summary>
     internal static WalkScene Open(DirectoryInfo? folder) =>

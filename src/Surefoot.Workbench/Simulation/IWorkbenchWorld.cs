@@ -12,6 +12,9 @@ internal interface IWorkbenchWorld : IDisposable
     /// <summary>Places to go to; the first is where a player enters. Never empty.</summary>
     IReadOnlyList<WorkbenchPlace> Places { get; }
 
+    /// <summary>What the world does without so far. May be asked for on any thread.</summary>
+    LeftOutNotice LeftOut { get; }
+
     /// <summary>Burden units that a player carries at load 1.</summary>
     int BurdenCapacity { get; }
 

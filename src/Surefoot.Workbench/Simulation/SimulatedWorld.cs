@@ -17,7 +17,6 @@ namespace Surefoot.Workbench.Simulation;
 internal sealed partial class SimulatedWorld : IWorkbenchWorld
 {
     private const uint HumanSetup = 0x02000001;
-    private const uint HumanMotionTable = 0x09000001;
     private const int KeepRadius = 3;
     private const ulong WandererSeed = 1;
 
@@ -37,7 +36,7 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     private readonly ILogger logger;
     private readonly List<SimulatedPlayer> players = [];
     private readonly List<uint> leaving = [];
-    private long leftOutLogged;
+    private volatile LeftOutNotice leftOut = LeftOutNotice.Nothing;
 
     /// <summary>A world over an open folder, which it takes over.</summary>
     /// <param name="name">Name shown on the page.</param>
@@ -47,6 +46,7 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     /// <param name="spawns">Whom and what to spawn.</param>
     /// <exception cref="DatRecordMissingException">The region, the human setup or its motion table is missing, or those of a spawn.</exception>
     /// <exception cref="DatFormatException">One of them is malformed.</exception>
+    /// <exception cref="InvalidDataException">The human setup names no motion table.</exception>
     /// <exception cref="DatFolderException">There is no landblock at all.</exception>
     public SimulatedWorld(string name, DatSet dats, IReadOnlyList<WorkbenchPlace> places, ILogger logger, IReadOnlyList<DemoSpawn> spawns)
     {
@@ -57,7 +57,7 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
         land = new PhysicsWorld(cache);
         engine = new PhysicsEngine(land);
         human = cache.GetSetup(HumanSetup);
-        humanMotions = MotionTableLoader.Load(dats, HumanMotionTable);
+        humanMotions = MotionTableLoader.LoadFor(dats, human, leftOut: land.LeftOut);
         inhabitants = new Inhabitants(engine, cache, spawns, WandererSeed);
         Places = [.. places.Where(place => dats.TryRead((place.CellId & 0xFFFF0000) | 0xFFFF, out _)).Select(OnGround)];
         if (Places.Count == 0) Places = [OnGround(KnownPlaces.Somewhere(dats))];
@@ -68,6 +68,12 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
 
     /// <inheritdoc/>
     public IReadOnlyList<WorkbenchPlace> Places { get; }
+
+    /// <inheritdoc/>
+    public LeftOutNotice LeftOut => leftOut;
+
+    /// <summary>Is told once, in words, when something is left out.</summary>
+    public Action<string>? Notice { get; init; }
 
     /// <inheritdoc/>
     public int BurdenCapacity => MovementFormulas.Capacity(SimulatedPlayer.Strength, 0);
@@ -184,9 +190,10 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     internal void LoadAround(uint cellId, int radius)
     {
         land.EnsureLoadedAround(new Position(cellId, Vector3.Zero), radius);
-        if (land.LeftOut.Total == leftOutLogged) return;
+        if (land.LeftOut.Total == leftOut.Total) return;
+        if (leftOut.Total == 0) Notice?.Invoke($"the world does without what is missing or cannot be read; the page lists it all. The first: {land.LeftOut[0]}");
         LogLeftOut(logger, land.LeftOut.Total, land.LeftOut[^1]);
-        leftOutLogged = land.LeftOut.Total;
+        leftOut = LeftOutNotice.Of(land.LeftOut);
     }
 
     private void Resettle(uint cellId)

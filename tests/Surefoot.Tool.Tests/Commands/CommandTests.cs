@@ -1,4 +1,5 @@
 using System.Text.Json;
+using Surefoot.Dats;
 using Surefoot.DemoWorld;
 using Surefoot.Physics.Motion;
 using Surefoot.Tool.Walking;
@@ -73,6 +74,51 @@ public class CommandTests
         {
             empty.Delete(recursive: true);
         }
+    }
+
+    [Theory, Behaviour("tool.no-motion-table", "spec/07, 9.1")]
+    [InlineData("walk", "--script", "W 1", "--at", "0xA9B40001,12,12,0", "--dats")]
+    [InlineData("play", "--no-browser", "--port", "0", "--dats")]
+    public async Task A_human_without_a_motion_table_is_one_sentence(params string[] command)
+    {
+        CommandLine.Outcome run = await CommandLine.RunAsync([.. command, World]);
+        Assert.Equal(1, run.ExitCode);
+        Assert.Equal("surefoot: Setup 0x02000001 names no motion table, and such a body cannot walk by itself.", run.Error.Trim());
+    }
+
+    [Fact, Behaviour("tool.left-out.told-once", "spec/07, 9.1")]
+    public async Task What_damaged_files_make_the_world_do_without_is_told_once_and_listed_by_verify()
+    {
+        DirectoryInfo folder = Directory.CreateTempSubdirectory("surefoot-damaged");
+        try
+        {
+            DemoWorldBuilder.Write(folder.FullName);
+            DamageRooms(folder.FullName, 0xA8B50000);
+            CommandLine.Outcome walk = await CommandLine.RunAsync("walk", "--script", "W 1", "--at", "0xA8B50001,12,12,30", "--dats", folder.FullName);
+            Assert.Equal(0, walk.ExitCode);
+            string line = Assert.Single(walk.Error.Split('\n', StringSplitOptions.RemoveEmptyEntries), one => one.Contains("A8B50100", StringComparison.Ordinal));
+            Assert.StartsWith("surefoot: left out: ", line, StringComparison.Ordinal);
+
+            CommandLine.Outcome verify = await CommandLine.RunAsync("dats", "verify", folder.FullName, "--json");
+            Assert.Equal(1, verify.ExitCode);
+            using JsonDocument summary = JsonDocument.Parse(verify.Output);
+            JsonElement item = summary.RootElement.GetProperty("leftOut").GetProperty("items")[0];
+            Assert.Equal(("Room", "A8B50100"), (item.GetProperty("kind").GetString(), item.GetProperty("id").GetString()));
+            Assert.Equal(("A9B4FFFE", DatSet.CellName, 0), (item.GetProperty("firstIn").GetString(), item.GetProperty("file").GetString(), item.GetProperty("offset").GetInt32()));
+            Assert.Equal(1, summary.RootElement.GetProperty("leftOut").GetProperty("total").GetInt32());
+        }
+        finally
+        {
+            folder.Delete(recursive: true);
+        }
+    }
+
+    /// <summary>The first room of a block becomes bytes that no room has.</summary>
+    private static void DamageRooms(string folder, uint block)
+    {
+        using DatFileEditor editor = DatFileEditor.Open(Path.Combine(folder, DatSet.CellName));
+        editor.Put(block | 0x100, [0xFF, 0xFF, 0xFF]);
+        editor.Complete();
     }
 
     [Fact, Behaviour("tool.conform.whole-folder", "design.md, The tool")]

@@ -25,6 +25,8 @@ internal sealed class StandInWorld : IWorkbenchWorld
         new("Far east", 0xAAB40025, new Vector3(100, 100, Ground), -MathF.PI / 2),
     ];
 
+    public LeftOutNotice LeftOut => LeftOutNotice.Nothing;
+
     public int BurdenCapacity => 15_000;
 
     public int PlayerCount => players.Count;

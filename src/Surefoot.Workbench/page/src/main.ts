@@ -5,6 +5,7 @@ import { commands } from "./hud/commands";
 import { Hud } from "./hud/hud";
 import { type Frames, Inspection } from "./hud/inspection";
 import { Keyboard } from "./hud/keys";
+import { LeftOutPanel } from "./hud/leftOut";
 import { Pointer } from "./hud/pointer";
 import { Connection } from "./net/connection";
 import { fetchPlaces } from "./net/places";
@@ -45,6 +46,7 @@ const keyboard = new Keyboard(
   () => connection.sendFocusLost(),
   (code) => keyCommands.get(code)?.(),
 );
+const leftOut = new LeftOutPanel();
 const pointer = new Pointer(surface, (buttons, right) => connection.sendPointer(buttons, right));
 
 window.surefoot = new Inspection(world, session, hud, connection, drawing);
@@ -56,6 +58,7 @@ function receive(frame: ServerFrame): void {
   session.receive(frame, performance.now() / 1000);
   world.receive(frame);
   hud.receive(frame);
+  if (frame.kind === "pose") leftOut.enter(frame.cell);
 }
 
 let lastFrame = performance.now() / 1000;
