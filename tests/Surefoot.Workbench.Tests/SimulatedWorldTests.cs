@@ -42,6 +42,42 @@ public sealed class SimulatedWorldTests : IDisposable
     }
 
     [Fact]
+    [Behaviour("workbench.world.left-out", "spec/07, 9.1")]
+    public void Damaged_files_leave_out_places_and_rooms_and_say_so_once()
+    {
+        const uint village = 0xA8B50000;
+        DirectoryInfo folder = Directory.CreateTempSubdirectory("surefoot-damaged");
+        try
+        {
+            DemoWorldBuilder.Write(folder.FullName);
+            WorkbenchPlace damaged = KnownPlaces.Demo().First(place => place.CellId >> 16 != village >> 16);
+            using (DatFileEditor editor = DatFileEditor.Open(Path.Combine(folder.FullName, DatSet.CellName)))
+            {
+                editor.Put(village | 0x100, [0xFF, 0xFF, 0xFF]);
+                editor.Put((damaged.CellId & 0xFFFF0000) | 0xFFFF, [0xFF, 0xFF, 0xFF]);
+                editor.Complete();
+            }
+
+            List<string> said = [];
+            WorkbenchPlace beside = new("Beside the damage", village | 1, new Vector3(12, 12, float.NaN), 0);
+            WorkbenchPlace inside = beside with { CellId = village | 0x100 };
+            using SimulatedWorld played = new("Damaged", DatSet.Open(folder.FullName), [damaged, inside, beside], NullLogger.Instance, []) { Notice = said.Add };
+            Assert.Equal((beside.Name, beside.CellId), (Assert.Single(played.Places).Name, played.Places[0].CellId));
+            Assert.Equal(LeftOutNotice.Nothing, played.LeftOut);
+            IWorkbenchPlayer player = played.Join(1, PlayerSettings.Default, played.Places[0], now);
+            played.Leave(player);
+            played.Join(2, PlayerSettings.Default, played.Places[0], now);
+            Assert.Contains("Room 0xA8B50100", Assert.Single(said), StringComparison.Ordinal);
+            Assert.Contains(played.LeftOut.Lines, line => line.Contains("A8B50100", StringComparison.Ordinal));
+            Assert.NotNull(played.ReadShapes((ushort)(village >> 16)));
+        }
+        finally
+        {
+            folder.Delete(recursive: true);
+        }
+    }
+
+    [Fact]
     [Behaviour("workbench.world.new-skill-waits-for-the-server", "design.md, Who uses it: until the answer arrives the player moves at the old rate")]
     public void A_new_run_skill_acts_when_the_server_has_answered()
     {

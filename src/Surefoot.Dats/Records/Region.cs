@@ -191,7 +191,10 @@ public sealed class Region : DatRecord, IDatRecord<Region>
             WriteMisc(writer, misc);
     }
 
-    /// <summary>How well a reading with or without scripts in the sky fits: 2 ends exactly on the record's end, 1 leaves only what aligns it, 0 fails.</summary>
+    /// <summary>
+    /// How well a reading with or without scripts in the sky fits: 2 ends exactly on the record's end, 1 leaves only what aligns it, 0
+    /// fails.
+    /// </summary>
     private static int FitOf(in DatReader atSky, RegionParts parts, bool hasScripts)
     {
         DatReader trial = atSky.Fork();

@@ -190,15 +190,16 @@ public sealed record DayGroup(float Chance, string Name, ImmutableArray<SkyObjec
 public sealed record SkyDescription(double TickSize, double LightTickSize, ImmutableArray<DayGroup> DayGroups)
 {
     /// <summary>
-    /// Whether each thing in the sky is stored with a script, as in files from August 2012 on: nine words; without it eight. Nothing in a record says which, so it
-    /// is found by reading.
+    /// Whether each thing in the sky is stored with a script, as in files from August 2012 on: nine words; without it eight. Nothing in a
+    /// record says which, so it is found by reading.
     /// </summary>
     public bool HasScripts { get; init; } = true;
 
     internal static SkyDescription Read(ref DatReader reader, bool hasScripts)
     {
         double tick = reader.ReadDouble(), lightTick = reader.ReadDouble();
-        return new(tick, lightTick, reader.ReadList(DayGroup.LeastSize, (ref r) => DayGroup.Read(ref r, hasScripts))) { HasScripts = hasScripts };
+        ImmutableArray<DayGroup> groups = reader.ReadList(DayGroup.LeastSize, (ref r) => DayGroup.Read(ref r, hasScripts));
+        return new(tick, lightTick, groups) { HasScripts = hasScripts };
     }
 
     internal void Write(DatWriter writer)

@@ -9,11 +9,14 @@ namespace Surefoot.Physics.Motion;
 /// <summary>Makes motion tables from records.</summary>
 public static class MotionTableLoader
 {
-    /// <summary>Reads a motion table and the animations it names. An animation that is missing, as in retail, or cannot be read is left out.</summary>
+    /// <summary>
+    /// Reads a motion table and the animations it names. An animation that is missing, as in retail, or cannot be read is left out.
+    /// </summary>
     /// <param name="source">Where from.</param>
     /// <param name="id">Motion table id, e.g. 0x09000001.</param>
     /// <param name="withParts">
-    /// Load where the parts are as well: for bodies that stop others by the trees of their parts, such as doors. It takes much memory and nobody else asks for it.
+    /// Load where the parts are as well: for bodies that stop others by the trees of their parts, such as doors. It takes much memory and
+    /// nobody else asks for it.
     /// </param>
     /// <param name="leftOut">Where animations that are left out are listed, usually <see cref="PhysicsWorld.LeftOut"/>.</param>
     /// <exception cref="DatRecordMissingException">There is no such table.</exception>
@@ -32,7 +35,8 @@ public static class MotionTableLoader
     public static MotionTableAsset LoadFor(IDatSource source, SetupAsset setup, bool withParts = false, LeftOutList? leftOut = null)
     {
         ArgumentNullException.ThrowIfNull(setup);
-        if (setup.DefaultMotionTableId == 0) throw new InvalidDataException($"Setup 0x{setup.Id:X8} names no motion table, and such a body cannot walk by itself.");
+        if (setup.DefaultMotionTableId == 0)
+            throw new InvalidDataException($"Setup 0x{setup.Id:X8} names no motion table, and such a body cannot walk by itself.");
         return LoadNamed(source, setup.DefaultMotionTableId, setup.Id, withParts, leftOut);
     }
 
@@ -47,9 +51,12 @@ public static class MotionTableLoader
             Exception fault;
             try
             {
-                if (!source.TryRead(animation, out Animation? record)) fault = new DatRecordMissingException(animation, DatRecordType.Animation);
-                else if (record.Frames.Length == 0) fault = new DatFormatException(record.File, animation, PhysicsDataCache.AnimationCounts, "it has no frames");
-                else return record;
+                if (!source.TryRead(animation, out Animation? record))
+                    fault = new DatRecordMissingException(animation, DatRecordType.Animation);
+                else if (record.Frames.Length == 0)
+                    fault = new DatFormatException(record.File, animation, PhysicsDataCache.AnimationCounts, "it has no frames");
+                else
+                    return record;
             }
             catch (DatFormatException unreadable)
             {
@@ -85,7 +92,8 @@ public static class MotionTableLoader
             foreach (MotionAnimation span in data.Animations)
                 if (Find(span.AnimationId) is { } animation && float.IsFinite(span.FramesPerSecond))
                     spans.Add(new AnimationSpan(animation, span.LowFrame, span.HighFrame, span.FramesPerSecond));
-            return new MotionAsset(spans.ToArray(), RetailMath.FiniteOrZero(data.Velocity), RetailMath.FiniteOrZero(data.Omega), data.Bitfield);
+            return new MotionAsset(spans.ToArray(), RetailMath.FiniteOrZero(data.Velocity), RetailMath.FiniteOrZero(data.Omega),
+                data.Bitfield);
         }
 
         AnimationAsset? Find(uint id)

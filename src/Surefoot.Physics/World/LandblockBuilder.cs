@@ -6,7 +6,10 @@ using EnvCellRecord = Surefoot.Dats.Records.EnvCell;
 namespace Surefoot.Physics.World;
 
 /// <summary>Makes a landblock from its records. Nothing is changed anywhere until it is complete.</summary>
-/// <remarks>Retail spreads this over CLandBlock::UnPack @0x0052F310, init_buildings @0x0052FD80 and init_static_objs @0x00530A40; specification 05, 4.7.</remarks>
+/// <remarks>
+/// Retail spreads this over CLandBlock::UnPack @0x0052F310, init_buildings @0x0052FD80 and init_static_objs @0x00530A40; specification 05,
+/// 4.7.
+/// </remarks>
 internal sealed class LandblockBuilder(PhysicsDataCache cache, RegionAsset region)
 {
     private const int MaxRooms = 0xFFFE - (int)CellIds.FirstIndoor;
@@ -44,7 +47,8 @@ internal sealed class LandblockBuilder(PhysicsDataCache cache, RegionAsset regio
         foreach (SceneryItem item in Scenery.Of(block, region, assets, faults))
         {
             block.AddStatic(new StaticObject(
-                item.Setup, new Position(item.Cell.Id, item.Frame), order.NextOnLand(), item.Cell, item.Scale, assets.FindAnimation(item.Setup, faults))
+                item.Setup, new Position(item.Cell.Id, item.Frame), order.NextOnLand(), item.Cell, item.Scale,
+                assets.FindAnimation(item.Setup, faults))
             {
                 IsScenery = true,
             });
@@ -58,7 +62,8 @@ internal sealed class LandblockBuilder(PhysicsDataCache cache, RegionAsset regio
     {
         foreach (Building building in info.Buildings)
         {
-            if (Place(block, LeftOutKind.Building, building.ModelId, building.Frame, info, faults) is not var (setup, place, cell)) continue;
+            if (Place(block, LeftOutKind.Building, building.ModelId, building.Frame, info, faults) is not var (setup, place, cell))
+                continue;
             StaticObject shell = new(setup, place, order.NextOnLand(), cell, 1f, assets.FindAnimation(setup, faults));
             BuildingPortal[] portals = [.. building.Portals.Select(p => new BuildingPortal(block.Id | p.OtherCell, (short)p.OtherPortal))];
             block.AddBuilding(cell, new BuildingObject(shell, portals));
@@ -72,16 +77,20 @@ internal sealed class LandblockBuilder(PhysicsDataCache cache, RegionAsset regio
 
         foreach (CellRestriction restriction in info.Restrictions)
         {
-            if (restriction.ObjectId != 0 && CellIds.BlockOf(restriction.CellId) == block.Id && block.Find(restriction.CellId) is LandCell cell)
+            if (restriction.ObjectId != 0 && CellIds.BlockOf(restriction.CellId) == block.Id &&
+                block.Find(restriction.CellId) is LandCell cell)
                 cell.RestrictionObject = restriction.ObjectId;
         }
     }
 
-    /// <summary>Shape, place and square of land of a thing outdoors; null when it is left out or not over this block, where retail discards it.</summary>
+    /// <summary>
+    /// Shape, place and square of land of a thing outdoors; null when it is left out or not over this block, where retail discards it.
+    /// </summary>
     private (SetupAsset Setup, Position Place, LandCell Cell)? Place(
         Landblock block, LeftOutKind kind, uint modelId, in DatFrame frame, LandBlockInfo info, LandblockFaults faults)
     {
-        if (assets.FindSetup(modelId, kind, info.Id, faults) is not { } setup || Seat(kind, modelId, block.Id, frame, info, faults) is not { } place) return null;
+        if (assets.FindSetup(modelId, kind, info.Id, faults) is not { } setup) return null;
+        if (Seat(kind, modelId, block.Id, frame, info, faults) is not { } place) return null;
         if (block.LandCellUnder(place) is not { } cell) return null;
         place.CellId = cell.Id;
         return (setup, place, cell);

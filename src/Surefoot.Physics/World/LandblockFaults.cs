@@ -3,9 +3,13 @@ using Surefoot.Dats;
 
 namespace Surefoot.Physics.World;
 
-/// <summary>What becomes of the faults that turn up while a landblock is built: the thing that a fault belongs to is left out, or the landblock fails.</summary>
+/// <summary>
+/// What becomes of the faults that turn up while a landblock is built: the thing that a fault belongs to is left out, or the landblock
+/// fails.
+/// </summary>
 /// <param name="strict">
-/// Faults are thrown, except for what retail leaves out too: a building, object or scene whose own record is in no file (specification 07, 9.1).
+/// Faults are thrown, except for what retail leaves out too: a building, object or scene whose own record is in no file (specification 07,
+/// 9.1).
 /// </param>
 internal sealed class LandblockFaults(bool strict)
 {
@@ -24,12 +28,16 @@ internal sealed class LandblockFaults(bool strict)
     /// <param name="fault">Why.</param>
     internal void LeaveOut(LeftOutKind kind, uint id, uint firstIn, Exception fault)
     {
-        bool asInRetail = kind is not (LeftOutKind.Landblock or LeftOutKind.Room) && fault is DatRecordMissingException missing && missing.Id == id;
+        bool isMissing = fault is DatRecordMissingException missing && missing.Id == id;
+        bool asInRetail = isMissing && kind is not (LeftOutKind.Landblock or LeftOutKind.Room);
         if (strict && !asInRetail) ExceptionDispatchInfo.Throw(fault);
         items.Add(LeftOutItem.Of(kind, id, firstIn, fault));
     }
 
-    /// <summary>Leaves out rooms that an info record promises and that are in no file: one item for all in a row, since a wrong count may promise thousands.</summary>
+    /// <summary>
+    /// Leaves out rooms that an info record promises and that are in no file: one item for all in a row, since a wrong count may promise
+    /// thousands.
+    /// </summary>
     internal void LeaveOutMissingRooms(uint first, uint count, uint infoId)
     {
         LeaveOut(LeftOutKind.Room, first, infoId, new DatRecordMissingException(first, DatRecordType.EnvCell, infoId));

@@ -12,7 +12,9 @@ public enum LeftOutKind
     /// <summary>A room with the objects in it.</summary>
     Room,
 
-    /// <summary>A building; its id is that of its model, a setup or a mesh. Its rooms are there, but nobody enters them from outdoors.</summary>
+    /// <summary>
+    /// A building; its id is that of its model, a setup or a mesh. Its rooms are there, but nobody enters them from outdoors.
+    /// </summary>
     Building,
 
     /// <summary>An object of a landblock or a room; its id is that of its model.</summary>

@@ -3,10 +3,12 @@ using System.Collections;
 namespace Surefoot.Physics.World;
 
 /// <summary>
-/// What a world does without because it cannot be read or is missing, in the order in which it was met; equal things are one item with a count. Each landblock
-/// adds to it once, however often it is loaded. One thread at a time, as the world.
+/// What a world does without because it cannot be read or is missing, in the order in which it was met; equal things are one item with a
+/// count. Each landblock adds to it once, however often it is loaded. One thread at a time, as the world.
 /// </summary>
-/// <remarks>At most <see cref="Capacity"/> items are kept. What comes later is only counted, so that hostile files cost no memory.</remarks>
+/// <remarks>
+/// At most <see cref="Capacity"/> items are kept. What comes later is only counted, so that hostile files cost no memory.
+/// </remarks>
 public sealed class LeftOutList : IReadOnlyList<LeftOutItem>
 {
     /// <summary>Most items kept.</summary>

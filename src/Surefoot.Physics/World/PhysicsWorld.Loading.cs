@@ -32,16 +32,20 @@ public sealed partial class PhysicsWorld
     public RegionAsset Region { get; }
 
     /// <summary>
-    /// Off, the usual case: what is missing or wrong in the files costs only the thing it belongs to, which <see cref="LeftOut"/> then lists. On, for those who
-    /// write worlds: a landblock with a fault does not load, and loading it throws. Retail's own omissions (buildings, objects and scenes whose own record is in no
-    /// file) are no fault; they are listed either way.
+    /// Off, the usual case: what is missing or wrong in the files costs only the thing it belongs to, which <see cref="LeftOut"/> then
+    /// lists. On, for those who write worlds: a landblock with a fault does not load, and loading it throws. Retail's own omissions
+    /// (buildings, objects and scenes whose own record is in no file) are no fault; they are listed either way.
     /// </summary>
     public bool StrictLoading { get; init; }
 
     /// <summary>Loads a block with all its rooms, buildings, objects and scenery.</summary>
     /// <param name="blockId">Any id of the block.</param>
-    /// <returns>False when the files have no such block, it is off the map, or it cannot be read; <see cref="LeftOut"/> then says why.</returns>
-    /// <exception cref="DatRecordMissingException"><see cref="StrictLoading"/>: a record that another one promises is missing; nothing was loaded.</exception>
+    /// <returns>
+    /// False when the files have no such block, it is off the map, or it cannot be read; <see cref="LeftOut"/> then says why.
+    /// </returns>
+    /// <exception cref="DatRecordMissingException">
+    /// <see cref="StrictLoading"/>: a record that another one promises is missing; nothing was loaded.
+    /// </exception>
     /// <exception cref="DatFormatException"><see cref="StrictLoading"/>: a record is malformed; nothing was loaded.</exception>
     public bool LoadLandblock(uint blockId)
     {
@@ -52,11 +56,16 @@ public sealed partial class PhysicsWorld
         return true;
     }
 
-    /// <summary>Loads the block of a position and those around it, as far as the files have them. A block that cannot be read keeps none of the others away.</summary>
+    /// <summary>
+    /// Loads the block of a position and those around it, as far as the files have them. A block that cannot be read keeps none of the
+    /// others away.
+    /// </summary>
     /// <param name="position">The place in the middle.</param>
     /// <param name="radius">How many blocks on each side; 1 is what retail keeps.</param>
     /// <exception cref="ArgumentOutOfRangeException">The radius is negative.</exception>
-    /// <exception cref="DatRecordMissingException"><see cref="StrictLoading"/>: a record that another one promises is missing; blocks before it were loaded.</exception>
+    /// <exception cref="DatRecordMissingException">
+    /// <see cref="StrictLoading"/>: a record that another one promises is missing; blocks before it were loaded.
+    /// </exception>
     /// <exception cref="DatFormatException"><see cref="StrictLoading"/>: a record is malformed; blocks before it were loaded.</exception>
     public void EnsureLoadedAround(in Position position, int radius)
     {

@@ -110,8 +110,8 @@ internal static class DatsCommand
         Option<bool> json = new("--json") { Description = "Print one JSON object." };
         Command command = new(
             "verify",
-            "Reads every record, decodes it, encodes it again and compares the bytes; then loads every landblock and lists what a world has to leave out.\n\n" +
-            "Example:\n  surefoot dats verify DIR")
+            "Reads every record, decodes it, encodes it again and compares the bytes; then loads every landblock and lists what a world has to " +
+            "leave out.\n\nExample:\n  surefoot dats verify DIR")
         {
             folder, json,
         };

@@ -27,11 +27,13 @@ internal static class KnownPlaces
         Town("Glenden Wood", 0xA0A40025, 108, 108),
     ];
 
-    /// <summary>The middle of the first landblock there is, for files that have none of the places asked for.</summary>
-    /// <exception cref="DatFolderException">There is no landblock at all.</exception>
-    public static WorkbenchPlace Somewhere(DatSet dats)
+    /// <summary>The middle of the first landblock that can be loaded, for files that have none of the places asked for.</summary>
+    /// <param name="dats">The files.</param>
+    /// <param name="loads">Whether a landblock can be loaded.</param>
+    /// <exception cref="DatFolderException">There is no such landblock.</exception>
+    public static WorkbenchPlace Somewhere(DatSet dats, Func<uint, bool> loads)
     {
-        uint record = dats.IdsOf(DatRecordType.LandBlock).FirstOrDefault();
+        uint record = dats.IdsOf(DatRecordType.LandBlock).FirstOrDefault(loads);
         if (record == 0) throw new DatFolderException(dats.Folder, $"'{dats.Folder}' has no landblock to stand on");
         return Town("Somewhere", (record & 0xFFFF0000) | 0x25, 108, 108);
     }

@@ -41,13 +41,13 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     /// <summary>A world over an open folder, which it takes over.</summary>
     /// <param name="name">Name shown on the page.</param>
     /// <param name="dats">The files; disposed with the world.</param>
-    /// <param name="places">Places to go to; those in landblocks that the files lack are left out.</param>
+    /// <param name="places">Places to go to; those in cells that the files lack, or that cannot be read, are left out.</param>
     /// <param name="logger">Is told of what is left out because it cannot be read.</param>
     /// <param name="spawns">Whom and what to spawn.</param>
     /// <exception cref="DatRecordMissingException">The region, the human setup or its motion table is missing, or those of a spawn.</exception>
     /// <exception cref="DatFormatException">One of them is malformed.</exception>
     /// <exception cref="InvalidDataException">The human setup names no motion table.</exception>
-    /// <exception cref="DatFolderException">There is no landblock at all.</exception>
+    /// <exception cref="DatFolderException">There is no landblock that can be read.</exception>
     public SimulatedWorld(string name, DatSet dats, IReadOnlyList<WorkbenchPlace> places, ILogger logger, IReadOnlyList<DemoSpawn> spawns)
     {
         this.dats = dats;
@@ -59,8 +59,9 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
         human = cache.GetSetup(HumanSetup);
         humanMotions = MotionTableLoader.LoadFor(dats, human, leftOut: land.LeftOut);
         inhabitants = new Inhabitants(engine, cache, spawns, WandererSeed);
-        Places = [.. places.Where(place => dats.TryRead((place.CellId & 0xFFFF0000) | 0xFFFF, out _)).Select(OnGround)];
-        if (Places.Count == 0) Places = [OnGround(KnownPlaces.Somewhere(dats))];
+        PhysicsWorld view = new(cache, land.Region);
+        Places = [.. places.Where(place => view.LoadLandblock(place.CellId) && view.GetVisible(place.CellId) is not null).Select(OnGround)];
+        if (Places.Count == 0) Places = [OnGround(KnownPlaces.Somewhere(dats, view.LoadLandblock))];
     }
 
     /// <inheritdoc/>
@@ -144,7 +145,8 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
                 Physics.World.StaticObject item = block.AnimatedStatics[i];
                 if (!ShapeCollector.MovesSolidParts(item) || item.Position.DistanceTo(from) > ShownWithin) continue;
                 foreach (SolidPart part in SolidParts.Of(item))
-                    near.Add(new MovingPart((ushort)(block.Id >> 16), (ushort)i, (ushort)part.Index, part.Frame.Origin, part.Frame.Rotation, part.Scale));
+                    near.Add(new MovingPart((ushort)(block.Id >> 16), (ushort)i, (ushort)part.Index, part.Frame.Origin, part.Frame.Rotation,
+                        part.Scale));
             }
         }
     }
@@ -191,7 +193,8 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     {
         land.EnsureLoadedAround(new Position(cellId, Vector3.Zero), radius);
         if (land.LeftOut.Total == leftOut.Total) return;
-        if (leftOut.Total == 0) Notice?.Invoke($"the world does without what is missing or cannot be read; the page lists it all. The first: {land.LeftOut[0]}");
+        if (leftOut.Total == 0)
+            Notice?.Invoke($"the world does without what is missing or cannot be read; the page lists it all. The first: {land.LeftOut[0]}");
         LogLeftOut(logger, land.LeftOut.Total, land.LeftOut[^1]);
         leftOut = LeftOutNotice.Of(land.LeftOut);
     }

@@ -74,7 +74,9 @@ public sealed class RegionKindTests
         Assert.Throws<InvalidOperationException>(WithSky(region, sky with { HasScripts = false }).Encode);
     }
 
-    /// <summary>The sample as an earlier writer would have made it; its last property word is set, so that nothing is 0 by chance.</summary>
+    /// <summary>
+    /// The sample as an earlier writer would have made it; its last property word is set, so that nothing is 0 by chance.
+    /// </summary>
     private static byte[] WithoutScript(byte[] bytes)
     {
         byte[] mesh = new byte[4];

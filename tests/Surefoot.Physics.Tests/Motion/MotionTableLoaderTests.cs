@@ -1,7 +1,10 @@
 using System.Numerics;
+using Surefoot.Dats;
 using Surefoot.Dats.Records;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Motion;
+using Surefoot.Physics.Tests.Assets;
+using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Tests.Motion;
 
@@ -52,6 +55,43 @@ public class MotionTableLoaderTests
         MotionAsset walk = MotionTableLoader.Create(Table, Find).Cycle(MotionCommand.NonCombat, MotionCommand.WalkForward)!;
         Assert.Equal(0, walk.Animations.Length);
         Assert.Equal(new Vector3(0, 3.12f, 0), walk.Velocity);
+    }
+
+    [Fact]
+    [Behaviour("motion.table.unusable-animations-are-listed", "spec/07, 9.1")]
+    public void Animations_that_are_missing_unreadable_or_without_frames_are_left_out_and_listed()
+    {
+        const uint missing = 0x03000099, unreadable = 0x03000098, empty = 0x03000097;
+        MotionTable table = new()
+        {
+            Id = 0x09000001,
+            Cycles = [.. new uint[] { missing, unreadable, empty, 0x03000001 }.Select((animation, i) => new KeyedMotion((uint)i, Data(animation)))],
+        };
+        MemorySource source = new MemorySource().Add(table, Find(0x03000001)!, new Animation { Id = empty });
+        source.Add(unreadable, 0x98, 0, 0, 3, 1);
+        LeftOutList leftOut = new();
+        SetupAsset human = new() { Id = 0x02000001, DefaultMotionTableId = table.Id };
+        MotionTableAsset loaded = MotionTableLoader.LoadFor(source, human, leftOut: leftOut);
+        Assert.Equal([missing, unreadable, empty], leftOut.Select(item => item.Id));
+        Assert.All(leftOut, item => Assert.Equal((LeftOutKind.Animation, table.Id, 1), (item.Kind, item.FirstIn, item.Count)));
+        Assert.Equal(
+            ["Animation 0x03000099 is not in the dat files", "the record ends here: 4 bytes wanted, 1 left", "it has no frames"],
+            leftOut.Select(item => item.Reason));
+        Assert.NotNull(loaded);
+        Assert.NotNull(MotionTableLoader.Load(source, table.Id));
+    }
+
+    [Fact]
+    [Behaviour("motion.table.setup-names-none", "spec/07, 9.1")]
+    public void A_setup_without_a_motion_table_is_one_sentence_and_one_whose_table_is_missing_names_both()
+    {
+        MemorySource source = new();
+        InvalidDataException none = Assert.Throws<InvalidDataException>(
+            () => MotionTableLoader.LoadFor(source, new SetupAsset { Id = 0x02000001 }));
+        Assert.Equal("Setup 0x02000001 names no motion table, and such a body cannot walk by itself.", none.Message);
+        DatRecordMissingException missing = Assert.Throws<DatRecordMissingException>(
+            () => MotionTableLoader.LoadFor(source, new SetupAsset { Id = 0x02000001, DefaultMotionTableId = 0x09000005 }));
+        Assert.Equal((0x09000005u, 0x02000001u), (missing.Id, missing.RequestedBy));
     }
 
     [Fact]

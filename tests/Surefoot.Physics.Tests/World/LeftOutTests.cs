@@ -12,7 +12,8 @@ namespace Surefoot.Physics.Tests.World;
 /// <summary>What is missing or wrong in the files costs only itself, and the world lists it.</summary>
 public sealed class LeftOutTests
 {
-    private const uint SecondRoom = Room + 1, ThirdRoom = Room + 2, BadMesh = 0x01000002, Hollow = 0x02000002, Scene = 0x12000001, Absent = 0x02000099;
+    private const uint SecondRoom = Room + 1, ThirdRoom = Room + 2, BadMesh = 0x01000002, Hollow = 0x02000002, Scene = 0x12000001,
+        Absent = 0x02000099;
 
     [Fact]
     [Behaviour("world.left-out.nothing", "spec/07, 9.1: the control of the tests beside it")]
@@ -47,8 +48,10 @@ public sealed class LeftOutTests
     public void A_block_that_cannot_be_read_keeps_no_other_away()
     {
         MemorySource source = new();
-        uint[] blocks = [.. from x in Enumerable.Range(0xA8, 3) from y in Enumerable.Range(0xB3, 3) select ((uint)x << 24) | ((uint)y << 16)];
-        foreach (uint id in blocks) source.Add(new LandBlock { Id = id | 0xFFFF, Terrain = [.. new ushort[81]], Heights = [.. new byte[81]] });
+        uint[] blocks =
+            [0xA8B30000, 0xA8B40000, 0xA8B50000, 0xA9B30000, 0xA9B40000, 0xA9B50000, 0xAAB30000, 0xAAB40000, 0xAAB50000];
+        foreach (uint id in blocks)
+            source.Add(new LandBlock { Id = id | 0xFFFF, Terrain = [.. new ushort[81]], Heights = [.. new byte[81]] });
         source.Add(0xA8B4FFFF, 0xFF, 0xFF, 0xB4, 0xA8, 0);
         PhysicsWorld world = new(new PhysicsDataCache(source), new RegionAsset([0f]));
         world.EnsureLoadedAround(new Position(0xA9B40001, default), 1);
@@ -122,7 +125,8 @@ public sealed class LeftOutTests
         Assert.Equal([Thing, Thing, Thing], block.StaticObjects.Select(item => item.Setup!.Id));
         Assert.Equal(Thing, Assert.Single(block.Buildings).Shell.Setup!.Id);
         Assert.Equal(
-            [(LeftOutKind.Building, 1), (LeftOutKind.Object, 3), (LeftOutKind.Scenery, 1)], world.LeftOut.Select(item => (item.Kind, item.Count)));
+            [(LeftOutKind.Building, 1), (LeftOutKind.Object, 3), (LeftOutKind.Scenery, 1)],
+            world.LeftOut.Select(item => (item.Kind, item.Count)));
         Assert.All(world.LeftOut, item => Assert.Equal(model, item.Id));
         Assert.All(world.LeftOut, item => Assert.Contains(reason, item.Reason, StringComparison.Ordinal));
         Assert.Equal([Info, Info, Scene], world.LeftOut.Select(item => item.FirstIn));
@@ -155,7 +159,8 @@ public sealed class LeftOutTests
         PhysicsWorld missing = Wooded([]).World(SceneryOnOneVertex);
         Assert.True(missing.LoadLandblock(Block));
         LeftOutItem item = Assert.Single(missing.LeftOut);
-        Assert.Equal((LeftOutKind.Scene, Scene, Block, "Scene 0x12000001 is not in the dat files"), (item.Kind, item.Id, item.FirstIn, item.Reason));
+        Assert.Equal((LeftOutKind.Scene, Scene, Block, "Scene 0x12000001 is not in the dat files"),
+            (item.Kind, item.Id, item.FirstIn, item.Reason));
 
         MemorySource source = new();
         source.Add(new LandBlock { Id = Block, Terrain = [.. OneWooded], Heights = [.. new byte[81]] }).Add(Scene, 1, 0, 0, 0x12, 9);
@@ -213,7 +218,10 @@ public sealed class LeftOutTests
         Assert.Equal((1000, 3), (Assert.Single(world.LeftOut).Count, source.Reads));
     }
 
-    /// <summary>One building, two objects outdoors, one in a room and one of a scene with this model, and of all but the room's a sound one beside it.</summary>
+    /// <summary>
+    /// One building, two objects outdoors, one in a room and one of a scene with this model, and of all but the room's a sound one beside
+    /// it.
+    /// </summary>
     private static Records DamagedTown(uint model) => new()
     {
         [BadMesh] = new RawRecord(DatRecordType.GfxObj) { Id = BadMesh, Bytes = [2, 0, 0, 1, 9] },
@@ -252,7 +260,8 @@ public sealed class LeftOutTests
         new() { ObjectId = model, BaseFrame = DatFrame.Identity, Frequency = 2, MinScale = 1, MaxScale = 1, MaxSlope = 2 };
 
     private static EnvCell RoomAt(
-        uint id, ushort structure = 0, uint environment = Shapes, DatFrame? frame = null, CellPortal[]? portals = null, params Dats.Records.StaticObject[] things) => new()
+        uint id, ushort structure = 0, uint environment = Shapes, DatFrame? frame = null, CellPortal[]? portals = null,
+        params Dats.Records.StaticObject[] things) => new()
         {
             Id = id,
             CellId = id,

@@ -94,9 +94,10 @@ public class CommandTests
         {
             DemoWorldBuilder.Write(folder.FullName);
             DamageRooms(folder.FullName, 0xA8B50000);
-            CommandLine.Outcome walk = await CommandLine.RunAsync("walk", "--script", "W 1", "--at", "0xA8B50001,12,12,30", "--dats", folder.FullName);
+            CommandLine.Outcome walk = await CommandLine.RunAsync(
+                "walk", "--script", "W 1", "--at", "0xA8B50001,12,12,30", "--dats", folder.FullName);
             Assert.Equal(0, walk.ExitCode);
-            string line = Assert.Single(walk.Error.Split('\n', StringSplitOptions.RemoveEmptyEntries), one => one.Contains("A8B50100", StringComparison.Ordinal));
+            string line = Assert.Single(walk.Error.Split('\n'), one => one.Contains("A8B50100", StringComparison.Ordinal));
             Assert.StartsWith("surefoot: left out: ", line, StringComparison.Ordinal);
 
             CommandLine.Outcome verify = await CommandLine.RunAsync("dats", "verify", folder.FullName, "--json");
@@ -104,7 +105,8 @@ public class CommandTests
             using JsonDocument summary = JsonDocument.Parse(verify.Output);
             JsonElement item = summary.RootElement.GetProperty("leftOut").GetProperty("items")[0];
             Assert.Equal(("Room", "A8B50100"), (item.GetProperty("kind").GetString(), item.GetProperty("id").GetString()));
-            Assert.Equal(("A9B4FFFE", DatSet.CellName, 0), (item.GetProperty("firstIn").GetString(), item.GetProperty("file").GetString(), item.GetProperty("offset").GetInt32()));
+            Assert.Equal(("A8B5FFFE", DatSet.CellName), (item.GetProperty("firstIn").GetString(), item.GetProperty("file").GetString()));
+            Assert.Equal(0, item.GetProperty("offset").GetInt32());
             Assert.Equal(1, summary.RootElement.GetProperty("leftOut").GetProperty("total").GetInt32());
         }
         finally
