@@ -156,7 +156,7 @@ internal sealed partial class CommandInterpreter(IMotionBody body, MovementManag
         if (!IsEnabled) return;
         sender.SendPositionWhenDue(now);
         bool wanted = AutoRun || substates.Head != MotionCommand.None || turns.Head != MotionCommand.None || sidesteps.Head != MotionCommand.None;
-        if (IsControlledByServer && wanted && !movement.MotionsPending) TakeControlFromServer(now);
+        if (IsControlledByServer && wanted && !movement.MotionsPending && !movement.IsMovingTo) TakeControlFromServer(now);
     }
 
     /// <summary>The keys count again: what a server ordered ends, and what is held acts. Not told, and not for the dead.</summary>
@@ -167,6 +167,7 @@ internal sealed partial class CommandInterpreter(IMotionBody body, MovementManag
         IsControlledByServer = false;
         body.LastMoveWasAutonomous = true;
         movement.StopCompletely();
+        body.StopInterpolating();
         SetHoldRun(holdRun);
         ApplyCurrentMovement(now);
     }

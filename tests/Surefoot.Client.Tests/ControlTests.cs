@@ -1,5 +1,6 @@
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.Tests.Motion;
+using Surefoot.Physics.World;
 using Surefoot.Protocol.Messages;
 
 namespace Surefoot.Client.Tests;
@@ -35,6 +36,45 @@ public class ControlTests
         Assert.Equal((MotionCommand.Ready, MotionCommand.TurnRight), (f.Forward.Command, f.Turn.Command));
         Assert.False(f.Controller.AutoRun);
         Assert.Equal(sent, f.Sent.Moves.Count);
+    }
+
+    [Fact]
+    [Behaviour("controller.server.move-to-is-waited-for", "spec/09b, 9.6; CommandInterpreter::UseTime @0x006B3BF0")]
+    public void While_a_server_has_the_body_go_somewhere_held_keys_wait()
+    {
+        WalkFixture f = new(new CharacterStats(300, 300));
+        f.Hold(MovementKeys.Forward, 30);
+        Position place = f.Body.Position;
+        place.Frame.Origin.Y -= 5;
+        f.Player.Movement.MoveToPosition(place, new MovementParameters());
+        f.Player.Controller.LoseControlToServer();
+        int sent = f.Sent.Moves.Count, idle = 0;
+        for (int i = 0; i < 300 && f.Player.Movement.IsMovingTo; i++)
+        {
+            f.Hold(MovementKeys.Forward, 1);
+            if (f.Player.Movement.IsMovingTo) Assert.True(f.Player.Controller.IsControlledByServer);
+            if (f.Player.Movement is { IsMovingTo: true, MotionsPending: false }) idle++;
+        }
+
+        Assert.True(idle > 10);
+        Assert.InRange(f.Origin.Y - place.Frame.Origin.Y, 0, 0.6 + 0.48);
+        f.Hold(MovementKeys.Forward, 5);
+        Assert.False(f.Player.Controller.IsControlledByServer);
+        Assert.Equal(MotionCommand.RunForward, f.Player.Movement.Interpreter.Interpreted.ForwardCommand);
+        Assert.Equal(sent, f.Sent.Moves.Count);
+    }
+
+    [Fact]
+    [Behaviour("controller.server.taking-control-ends-its-corrections", "spec/09b, 9.6; CommandInterpreter::TakeControlFromServer @0x006B32D0")]
+    public void Taking_control_stops_everything_and_ends_following_the_servers_places()
+    {
+        KeyFixture f = new();
+        f.Order(MotionCommand.WalkForward, 0.5f);
+        f.Press(MovementKeys.TurnLeft);
+        Assert.Equal((1, MotionCommand.Ready, MotionCommand.TurnRight), (f.InterpolationStops, f.Forward.Command, f.Turn.Command));
+        f.Press(MovementKeys.None);
+        f.Press(MovementKeys.Forward);
+        Assert.Equal(1, f.InterpolationStops);
     }
 
     [Fact]

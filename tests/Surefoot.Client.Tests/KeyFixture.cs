@@ -1,3 +1,4 @@
+using System.Buffers.Binary;
 using System.Numerics;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
@@ -84,6 +85,19 @@ internal sealed class KeyFixture : IMotionBody
         OnWalkable = on;
         if (before && !on) Movement.LeaveGround();
         else if (!before && on) Movement.HitGround();
+    }
+
+    /// <summary>How often the body was told to stop following a server's places.</summary>
+    internal int InterpolationStops { get; private set; }
+
+    public void StopInterpolating() => InterpolationStops++;
+
+    /// <summary>The first words that the MoveToState sent last has after its header: the state asked for.</summary>
+    internal string SentWords(int bytes)
+    {
+        byte[] message = orders.Sent[^1];
+        Assert.Equal(0xF61Cu, BinaryPrimitives.ReadUInt32LittleEndian(message.AsSpan(8)));
+        return Convert.ToHexString(message.AsSpan(12, bytes));
     }
 
     /// <summary>Holds keys for a number of frames.</summary>

@@ -91,6 +91,30 @@ public class KeyboardTests
     }
 
     [Fact]
+    [Behaviour("controller.sends.wire-words", "spec/09b, 14.8 K1, K3, K4 and K7; spec/08, 5.3")]
+    public void The_wire_tells_the_forward_key_from_autorun_by_its_words()
+    {
+        KeyFixture f = new();
+        f.Press(MovementKeys.Forward);
+        Assert.Equal("050000000200000005000045", f.SentWords(12));
+        f.Press(MovementKeys.Forward | MovementKeys.Walk);
+        f.Press(MovementKeys.Forward | MovementKeys.Walk | MovementKeys.TurnRight);
+        Assert.Equal("04010000050000450D000065", f.SentWords(12));
+        f.Press(MovementKeys.Walk);
+        f.Controller.SetAutoRun(true, f.Now);
+        Assert.Equal("0C0000000500004502000000", f.SentWords(12));
+        f.Controller.SetAutoRun(false, f.Now);
+        f.Press(MovementKeys.Walk | MovementKeys.Forward);
+        Assert.Equal("0400000005000045", f.SentWords(8));
+        f.Press(MovementKeys.None);
+        f.Controller.SetAutoRun(true, f.Now);
+        Assert.Equal("0D000000020000000500004502000000", f.SentWords(16));
+        f.Controller.SetAutoRun(false, f.Now);
+        f.Press(MovementKeys.Jump);
+        Assert.Equal("0100000002000000", f.SentWords(8));
+    }
+
+    [Fact]
     [Behaviour("controller.keys.newest-acts-and-falls-back", "spec/01, 4.15; spec/09b, 9.4")]
     public void The_newest_key_acts_and_letting_it_go_falls_back()
     {

@@ -42,6 +42,15 @@ public class MouseTurningTests
     }
 
     [Fact]
+    [Behaviour("mouse.wire-words", "spec/09b, 14.8 K11; spec/08, 5.3")]
+    public void The_pointers_turn_is_told_with_its_own_speed_and_hold_key()
+    {
+        KeyFixture f = Looking();
+        Move(f, -3, 6);
+        Assert.Equal("01070000020000000D00006502000000CECCCC3E", f.SentWords(20));
+    }
+
+    [Fact]
     [Behaviour("mouse.row-is-broken-by-no-movement", "spec/09b, 9.7")]
     public void A_movement_of_nothing_begins_the_count_anew()
     {

@@ -50,4 +50,9 @@ public interface IMotionBody
     void Unstick()
     {
     }
+
+    /// <summary>Ends following the places that a server told.</summary>
+    void StopInterpolating()
+    {
+    }
 }
