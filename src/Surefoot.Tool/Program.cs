@@ -1,4 +1,5 @@
 using System.CommandLine;
+using System.CommandLine.Help;
 using System.CommandLine.Invocation;
 using System.CommandLine.Parsing;
 using Surefoot.Dats;
@@ -24,8 +25,10 @@ internal static class Program
     /// <param name="cancellation">Ends a command that would go on.</param>
     internal static async Task<int> RunAsync(string[] args, CancellationToken cancellation)
     {
-        RootCommand root = new("Moves bodies through an Asheron's Call world exactly as the retail client did.\n\nExample:\n  surefoot play")
+        // A RootCommand would take its name from the assembly.
+        Command root = new("surefoot", "Moves bodies through an Asheron's Call world exactly as the retail client did.\n\nExample:\n  surefoot play")
         {
+            new HelpOption(), new VersionOption(),
             PlayCommand.Create(), WalkCommand.Create(), DatsCommand.Create(), DemoCommand.Create(), ConformCommand.Create(),
         };
         ParseResult parsed = root.Parse(args);

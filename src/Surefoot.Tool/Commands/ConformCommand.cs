@@ -4,7 +4,6 @@ using Spectre.Console;
 using Surefoot.Tool.Conformance;
 using Surefoot.Tool.Conformance.Steering;
 using Surefoot.Tool.Output;
-using Surefoot.Tool.Walking;
 
 namespace Surefoot.Tool.Commands;
 
@@ -54,7 +53,7 @@ internal static class ConformCommand
             {
                 DirectoryInfo folder = parsed.GetValue(dats) ??
                     throw new UsageException("Walks, sweeps and placements need the world they were recorded in: --dats DIR");
-                using WalkScene world = WalkScene.OpenWhole(folder);
+                using WholeWorld world = WholeWorld.Open(folder);
                 CommonOptions.SayLeftOut(world.World.LeftOut);
                 AddWalks(world, cases, report, parsed.GetValue(json));
                 if (oracles.Count > 0)
@@ -85,7 +84,7 @@ internal static class ConformCommand
         });
     }
 
-    private static void AddWalks(WalkScene world, List<WalkCase> cases, ConformanceReport report, bool quiet)
+    private static void AddWalks(WholeWorld world, List<WalkCase> cases, ConformanceReport report, bool quiet)
     {
         WalkReplay replay = new(world.World, world.Cache.GetSetup);
         ProgressBar.Run("walks", quiet, progress =>

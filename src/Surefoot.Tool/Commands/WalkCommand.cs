@@ -16,7 +16,7 @@ internal static class WalkCommand
 
     internal static Command Create()
     {
-        Option<string> at = new("--at") { Description = "Where to begin: a named place, or a cell id and metres: 0xA9B40001,12,12,0.", DefaultValueFactory = _ => "meadow" };
+        Option<string> at = new("--at") { Description = "Where to begin: a named place, or a cell id and metres: 0xA9B40001,12,12,0 (without the last, on the ground).", DefaultValueFactory = _ => "meadow" };
         Option<int> run = new("--run") { Description = "Run skill.", DefaultValueFactory = _ => 200 };
         Option<int> jump = new("--jump") { Description = "Jump skill.", DefaultValueFactory = _ => 200 };
         Option<int> burden = new("--burden") { Description = "What is carried, in burden units (strength 100 carries 15000 at full speed).", DefaultValueFactory = _ => 0 };

@@ -1,11 +1,9 @@
 using System.Numerics;
 using Surefoot.Client;
-using Surefoot.Physics;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.World;
 using Surefoot.Protocol.Messages;
-using Surefoot.Server;
 
 namespace Surefoot.Tool.Walking;
 
@@ -29,7 +27,7 @@ internal sealed class WalkRunner : IMovementObserver
     /// <param name="legs">What the hands do.</param>
     /// <param name="script">The same as text, for the result.</param>
     /// <param name="latency">Seconds until the server answers.</param>
-    /// <exception cref="UsageException">There is no room for a body at the place.</exception>
+    /// <exception cref="UsageException">No player can be at the place.</exception>
     internal static WalkResult Run(
         WalkScene scene, ScenePlace place, CharacterStats stats, IReadOnlyList<WalkLeg> legs, string script, double latency)
     {
@@ -40,19 +38,11 @@ internal sealed class WalkRunner : IMovementObserver
 
     private void RunLegs(WalkScene scene, ScenePlace place, CharacterStats stats, IReadOnlyList<WalkLeg> legs, double latency)
     {
-        scene.Follow(place.Position);
-        PhysicsEngine engine = new(scene.World);
-        engine.Tick(1.0);
-        LocalPlayer player = LocalPlayer.Spawn(
-            engine, WalkScene.PlayerId, scene.PlayerSetup, scene.PlayerMotions, place.Position,
-            new LoopbackServer(WalkScene.PlayerId, stats, engine.Now, latency), new LocalPlayerOptions { Observer = this })
-            ?? throw new UsageException($"There is no room for a body at {place.Name}.");
-        if (!player.Body.HasCell)
-            throw new UsageException($"{place.Name} is in no room: the metres lie outside the rooms around 0x{place.Position.CellId:X8}.");
-        engine.Player = player.Body;
-
-        double now = 1.0;
-        for (int i = 0; i < SettleTime / Frame; i++) Advance(scene, engine, player, MovementKeys.None, now += Frame);
+        double now = scene.Simulation.Engine.Now + 1;
+        scene.Simulation.Tick(now);
+        Player player = Spawn(scene.Simulation, place, stats, latency);
+        scene.Simulation.Engine.Player = player.Body;
+        for (int i = 0; i < SettleTime / Frame; i++) player.Update(MovementKeys.None, now += Frame);
         start = now;
         Record(player, now);
         bool stood = player.Body.OnWalkable;
@@ -62,32 +52,38 @@ internal sealed class WalkRunner : IMovementObserver
             int frames = Math.Max(1, (int)Math.Round(leg.Seconds / Frame));
             for (int i = 0; i < frames; i++)
             {
-                MotionError refusedBefore = player.Controller.LastRefusal;
-                if (Advance(scene, engine, player, leg.Keys, now += Frame)) Record(player, now);
+                MotionError refusedBefore = player.Local.Controller.LastRefusal;
+                if (player.Update(leg.Keys, now += Frame)) Record(player, now);
                 Notice(player, now, ref stood, ref cell, refusedBefore);
             }
         }
+
+        scene.Simulation.Remove(player);
     }
 
-    private static bool Advance(WalkScene scene, PhysicsEngine engine, LocalPlayer player, MovementKeys keys, double now)
+    private Player Spawn(Simulation simulation, ScenePlace place, CharacterStats stats, double latency)
     {
-        player.Update(keys, now);
-        bool ticked = engine.Tick(now);
-        if (ticked) scene.Follow(player.Body.Position);
-        return ticked;
+        try
+        {
+            return simulation.SpawnPlayer(place.Place, stats, latency: latency, options: new LocalPlayerOptions { Observer = this });
+        }
+        catch (PlaceException e)
+        {
+            throw new UsageException($"--at {e.Message}");
+        }
     }
 
-    private void Record(LocalPlayer player, double now)
+    private void Record(Player player, double now)
     {
         Position p = player.Body.Position;
         Vector3 origin = p.Frame.Origin, v = player.Body.AchievedVelocity;
         Vector3 map = CellIds.BlockOffset(0x00000001, p.CellId) + origin;
         samples.Add(new WalkSample(
             now - start, p.CellId, origin, map, Math.Sqrt(((double)v.X * v.X) + ((double)v.Y * v.Y)), p.Frame.Heading,
-            player.Body.OnWalkable, player.Body.HasContact, player.Controller.JumpLevel(now)));
+            player.Body.OnWalkable, player.Body.HasContact, player.Local.Controller.JumpLevel(now)));
     }
 
-    private void Notice(LocalPlayer player, double now, ref bool stood, ref uint cell, MotionError refusedBefore)
+    private void Notice(Player player, double now, ref bool stood, ref uint cell, MotionError refusedBefore)
     {
         if (player.Body.OnWalkable != stood)
         {
@@ -98,8 +94,8 @@ internal sealed class WalkRunner : IMovementObserver
         if (CellIds.BlockOf(player.Body.Position.CellId) != CellIds.BlockOf(cell))
             Say(now, $"enters landblock 0x{player.Body.Position.CellId >> 16:X4}");
         cell = player.Body.Position.CellId;
-        if (player.Controller.LastRefusal != refusedBefore && player.Controller.LastRefusal != MotionError.None)
-            Say(now, $"may not jump: {player.Controller.LastRefusal}");
+        if (player.Local.Controller.LastRefusal != refusedBefore && player.Local.Controller.LastRefusal != MotionError.None)
+            Say(now, $"may not jump: {player.Local.Controller.LastRefusal}");
         if (player.Body.IsLost) Say(now, "left what is loaded");
     }
 

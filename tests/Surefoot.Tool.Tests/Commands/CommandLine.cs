@@ -16,7 +16,7 @@ internal static class CommandLine
     {
         ProcessStartInfo start = new("dotnet") { RedirectStandardOutput = true, RedirectStandardError = true };
         start.ArgumentList.Add("exec");
-        start.ArgumentList.Add(Path.Combine(AppContext.BaseDirectory, "surefoot.dll"));
+        start.ArgumentList.Add(Path.Combine(AppContext.BaseDirectory, "Surefoot.Tool.dll"));
         foreach (string argument in arguments) start.ArgumentList.Add(argument);
         if (columns is { } width) start.Environment["COLUMNS"] = width.ToString(CultureInfo.InvariantCulture);
         else start.Environment.Remove("COLUMNS");

@@ -235,7 +235,7 @@ public class CommandTests
             string name = place.GetProperty("name").GetString()!, cell = place.GetProperty("cell").GetString()!;
             WalkResult stand = WalkRunner.Run(scene, scene.FindPlace(name), new CharacterStats(), WalkScript.Parse("Wait 0.1"), "Wait 0.1", 0);
             Assert.Equal($"{name} {cell}", $"{name} {stand.Samples[0].CellId:X8}");
-            Assert.Equal(scene.FindPlace(name).Position, scene.FindPlace(place.GetProperty("title").GetString()!).Position);
+            Assert.Equal(scene.FindPlace(name).Place, scene.FindPlace(place.GetProperty("title").GetString()!).Place);
         }
     }
 

@@ -12,7 +12,7 @@ namespace Surefoot.Tool.Tests.Docs;
 /// <summary>Pins what the libraries offer to those who embed them, as <c>docs/api/*.txt</c>: a change of it is seen in review.</summary>
 public class PublicApiTests
 {
-    public static TheoryData<string> Libraries => ["Surefoot.Dats", "Surefoot.Physics", "Surefoot.Protocol", "Surefoot.Client", "Surefoot.Server", "Surefoot.DemoWorld"];
+    public static TheoryData<string> Libraries => ["Surefoot.Dats", "Surefoot.Physics", "Surefoot.Protocol", "Surefoot.Client", "Surefoot.Server", "Surefoot.DemoWorld", "Surefoot"];
 
     [Theory, MemberData(nameof(Libraries)), Behaviour("docs.public-api.pinned", "style.md, House rules")]
     public void The_public_surface_is_the_one_on_record(string library)
@@ -37,6 +37,7 @@ public class PublicApiTests
         "Surefoot.Protocol" => typeof(WireMessage).Assembly,
         "Surefoot.Client" => typeof(LocalPlayer).Assembly,
         "Surefoot.Server" => typeof(LoopbackServer).Assembly,
-        _ => typeof(DemoPlaces).Assembly,
+        "Surefoot.DemoWorld" => typeof(DemoPlaces).Assembly,
+        _ => typeof(Simulation).Assembly,
     };
 }
