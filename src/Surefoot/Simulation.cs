@@ -26,6 +26,7 @@ public sealed class Simulation : IDisposable
     /// <param name="dats">The files; disposed with the simulation.</param>
     /// <exception cref="DatFolderException">The region, the human setup or its motion table is not there; the message says
     /// which.</exception>
+    /// <exception cref="InvalidDataException">The human setup names no motion table.</exception>
     /// <exception cref="DatFormatException">One of them is malformed.</exception>
     public Simulation(DatSet dats)
     {
@@ -36,7 +37,7 @@ public sealed class Simulation : IDisposable
         {
             World = new PhysicsWorld(Assets);
             Human = Assets.GetSetup(HumanSetup);
-            HumanMotions = MotionTableLoader.Load(dats, Human.DefaultMotionTableId);
+            HumanMotions = MotionTableLoader.LoadFor(dats, Human, leftOut: World.LeftOut);
         }
         catch (DatRecordMissingException e)
         {

@@ -43,7 +43,7 @@ internal static class WalkCommand
             if (!(seconds is >= 0 and <= 60)) throw new UsageException("--latency is between 0 and 60000 milliseconds, for example --latency 120.");
             using WalkScene scene = WalkScene.Open(parsed.GetValue(dats));
             WalkResult walk = WalkRunner.Run(scene, scene.FindPlace(parsed.GetRequiredValue(at)), stats, legs, text, seconds);
-            CommonOptions.SayLeftOut(scene.World.LeftOut);
+            CommonOptions.SayLeftOut(scene.Simulation.World.LeftOut);
             if (parsed.GetValue(html) is { } file)
             {
                 File.WriteAllText(file.FullName, WalkPicture.Render(walk, scene.GroundHeight));

@@ -129,7 +129,8 @@ public sealed class DeterminismProperties(DemoFiles files) : IClassFixture<DemoF
         return [.. hashes];
     }
 
-    /// <summary>The engine's own hash would contain every animated static of whatever is loaded, and a world that was used before has more loaded.</summary>
+    /// <summary>The engine's own hash would contain every animated static of whatever is loaded, and a world that was used before has more
+    /// loaded.</summary>
     private static ulong HashBodies(PhysicsEngine engine)
     {
         StateHash hash = new();
