@@ -168,7 +168,7 @@ public sealed class BrowserTests(Browser browser) : IAsyncLifetime
     {
         await using Tab tab = await browser.OpenAsync(server);
         await tab.Page.Locator("#run-skill").FillAsync("0");
-        // A motion begun before the server's numbers have arrived keeps the old rate, as in the game.
+        // Numbers act on the motions that begin after they have arrived; one begun before keeps its rate.
         await tab.Until("window.surefoot.pose.runRate === 1", "the server's numbers arrive");
         await tab.Page.Keyboard.DownAsync("w");
         await tab.Until("Math.abs(window.surefoot.pose.speed - 4) < 0.2", "skill 0 runs 4 m/s");
