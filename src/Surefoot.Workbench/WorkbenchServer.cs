@@ -53,6 +53,8 @@ public sealed class WorkbenchServer : IAsyncDisposable
 
     internal ServerCounters Counters => counters;
 
+    internal IReadOnlyList<WorkbenchPlace> Places => world.Places;
+
     /// <summary>Opens the world and serves it. When the port is taken the next free one is used: see <see cref="Address"/>.</summary>
     /// <param name="options">What and where.</param>
     /// <param name="cancellation">Gives up starting.</param>

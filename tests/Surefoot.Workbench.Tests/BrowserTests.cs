@@ -1,4 +1,3 @@
-using System.Collections.Concurrent;
 using System.Globalization;
 using System.Numerics;
 using System.Text.Json;
@@ -12,7 +11,7 @@ namespace Surefoot.Workbench.Tests;
 
 /// <summary>The page in a real browser on a real server. Times are the server's, so a slow machine changes how often something is drawn, not what.</summary>
 [Collection(BrowserCollection.Name)]
-public sealed class BrowserTests(Browser browser) : IAsyncLifetime
+public sealed class BrowserTests(Browser browser)
 {
     // spec/01, section 6: run skill 300 without burden.
     private const double RunSpeed = 10.6000004;
@@ -20,22 +19,11 @@ public sealed class BrowserTests(Browser browser) : IAsyncLifetime
     // Seconds; timeline.ts, smoothOver.
     private const double SmoothOver = 0.08;
 
-    private readonly ConcurrentDictionary<(uint Player, uint Step), PlayerPose> published = new();
-    private WorkbenchServer server = null!;
-
-    public async ValueTask InitializeAsync()
-    {
-        server = await Worlds.StartAsync();
-        server.Loop.PosePublished = (player, step, pose) => published[(player, step)] = pose;
-    }
-
-    public async ValueTask DisposeAsync() => await server.DisposeAsync();
-
     [Fact]
     [Behaviour("workbench.browser.run-speed", "design.md")]
     public async Task W_held_two_seconds_moves_the_drawn_player_the_formulas_distance()
     {
-        await using Tab tab = await browser.OpenAsync(server);
+        await using Tab tab = await browser.OpenAsync();
         await tab.Page.Keyboard.DownAsync("w");
         await tab.Until($"window.surefoot.pose.speed > {0.95 * RunSpeed}", "the player runs");
         double start = await tab.Number("window.surefoot.pose.time");
@@ -100,14 +88,14 @@ public sealed class BrowserTests(Browser browser) : IAsyncLifetime
     [Behaviour("workbench.browser.smooth-between-steps", "design.md")]
     public async Task Drawn_positions_follow_the_path_between_physics_steps()
     {
-        await using Tab tab = await browser.OpenAsync(server);
+        await using Tab tab = await browser.OpenAsync();
         await tab.Page.Keyboard.DownAsync("w");
         await tab.Until($"window.surefoot.pose.speed > {0.95 * RunSpeed}", "the player runs");
         await Task.Delay(400);
         JsonElement samples = await Sample(tab, 40);
         await tab.Page.Keyboard.UpAsync("w");
         uint player = (uint)await tab.Number("window.surefoot.player");
-        PlayerPose[] poses = [.. published.Where(one => one.Key.Player == player).Select(one => one.Value).OrderBy(pose => pose.Time)];
+        PlayerPose[] poses = [.. browser.Published.Where(one => one.Key.Player == player).Select(one => one.Value).OrderBy(pose => pose.Time)];
         int between = 0;
         foreach (JsonElement drawn in samples.EnumerateArray())
         {
@@ -127,7 +115,7 @@ public sealed class BrowserTests(Browser browser) : IAsyncLifetime
     [Behaviour("workbench.browser.jump", "design.md")]
     public async Task Space_held_one_second_fills_the_bar_and_jumps()
     {
-        await using Tab tab = await browser.OpenAsync(server);
+        await using Tab tab = await browser.OpenAsync();
         double ground = await tab.Number("window.surefoot.drawn.position.z");
         await tab.Page.Keyboard.DownAsync("Space");
         await tab.Until("window.surefoot.bar > 0.05 && window.surefoot.bar < 1", "the bar is filling");
@@ -147,7 +135,7 @@ public sealed class BrowserTests(Browser browser) : IAsyncLifetime
     [Behaviour("workbench.browser.panel-agrees", "design.md")]
     public async Task The_panel_shows_the_servers_numbers_standing_and_running()
     {
-        await using Tab tab = await browser.OpenAsync(server);
+        await using Tab tab = await browser.OpenAsync();
         await ComparePanel(tab);
         await tab.Page.Keyboard.DownAsync("w");
         await tab.Page.Keyboard.DownAsync("d");
@@ -166,7 +154,7 @@ public sealed class BrowserTests(Browser browser) : IAsyncLifetime
     [Behaviour("workbench.browser.skill-sliders", "design.md")]
     public async Task The_sliders_change_the_speed()
     {
-        await using Tab tab = await browser.OpenAsync(server);
+        await using Tab tab = await browser.OpenAsync();
         await tab.Page.Locator("#run-skill").FillAsync("0");
         // Numbers act on the motions that begin after they have arrived; one begun before keeps its rate.
         await tab.Until("window.surefoot.pose.runRate === 1", "the server's numbers arrive");
@@ -184,7 +172,7 @@ public sealed class BrowserTests(Browser browser) : IAsyncLifetime
     [Behaviour("workbench.browser.camera-places-triangles", "design.md")]
     public async Task Mouse_menu_and_keys_do_what_the_help_says()
     {
-        await using Tab tab = await browser.OpenAsync(server);
+        await using Tab tab = await browser.OpenAsync();
         IPage page = tab.Page;
         await page.Mouse.MoveAsync(300, 250);
         await page.Mouse.DownAsync();
@@ -218,7 +206,7 @@ public sealed class BrowserTests(Browser browser) : IAsyncLifetime
     [Behaviour("workbench.browser.right-button-turns-the-player", "spec/09b, 9.7")]
     public async Task The_right_button_turns_the_player_and_the_left_one_orbits_the_camera()
     {
-        await using Tab tab = await browser.OpenAsync(server);
+        await using Tab tab = await browser.OpenAsync();
         IPage page = tab.Page;
         double yaw = await tab.Number("window.surefoot.pose.yaw");
         await page.Mouse.MoveAsync(150, 250);
@@ -256,7 +244,7 @@ public sealed class BrowserTests(Browser browser) : IAsyncLifetime
     [Behaviour("workbench.browser.mouse-turning-is-an-option", "spec/09b, 9.7")]
     public async Task Mouse_turning_is_on_at_first_and_can_be_switched_off()
     {
-        await using Tab tab = await browser.OpenAsync(server);
+        await using Tab tab = await browser.OpenAsync();
         IPage page = tab.Page;
         Assert.Equal("true", await page.Locator("#toggle-mouse").GetAttributeAsync("aria-pressed"));
         await page.Locator("#toggle-mouse").ClickAsync();
@@ -276,7 +264,7 @@ public sealed class BrowserTests(Browser browser) : IAsyncLifetime
     [Behaviour("workbench.browser.autorun", "spec/09b, 9.6")]
     public async Task R_runs_ahead_until_it_is_pressed_again()
     {
-        await using Tab tab = await browser.OpenAsync(server);
+        await using Tab tab = await browser.OpenAsync();
         await tab.Page.Keyboard.PressAsync("r");
         await tab.Until($"window.surefoot.pose.speed > {0.95 * RunSpeed}", "the player runs without a key");
         await tab.Page.EvaluateAsync("dispatchEvent(new Event('blur'))");
@@ -291,20 +279,20 @@ public sealed class BrowserTests(Browser browser) : IAsyncLifetime
     [Behaviour("workbench.browser.tabs", "design.md")]
     public async Task Two_tabs_see_each_other_and_a_closed_one_is_gone()
     {
-        await using Tab one = await browser.OpenAsync(server);
-        Tab two = await browser.OpenAsync(server);
+        await using Tab one = await browser.OpenAsync();
+        Tab two = await browser.OpenAsync();
         uint id = (uint)await two.Number("window.surefoot.player");
         await one.Until($"window.surefoot.others.some(other => other.player === {id} && other.position !== null)", "the first tab draws the second's player");
         await two.DisposeAsync();
         await one.Until("window.surefoot.others.length === 0", "the closed tab's player is gone");
-        await Eventually.Holds(() => server.Counters.Players == 1, "the server has one player");
+        await Eventually.Holds(() => browser.Server.Counters.Players == 1, "the server has one player");
     }
 
     private async Task ComparePanel(Tab tab)
     {
         JsonElement both = await tab.Read("({ panel: window.surefoot.panel, step: window.surefoot.pose.step, player: window.surefoot.player })");
         JsonElement panel = both.GetProperty("panel");
-        PlayerPose pose = published[(both.GetProperty("player").GetUInt32(), both.GetProperty("step").GetUInt32())];
+        PlayerPose pose = browser.Published[(both.GetProperty("player").GetUInt32(), both.GetProperty("step").GetUInt32())];
         Assert.Equal(both.GetProperty("step").GetRawText(), Field("step"));
         Assert.Equal($"0x{pose.CellId:X8}", Field("cell"));
         AssertNumbers(0.006, Field("position"), pose.Position.X, pose.Position.Y, pose.Position.Z);

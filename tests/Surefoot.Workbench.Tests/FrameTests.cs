@@ -45,6 +45,11 @@ public sealed class FrameTests
         Assert.True(ClientFrame.TryParse(Bytes("focusLost"), Places, out ClientFrame lost));
         Assert.Equal(new ClientFrame(FrameKind.FocusLost), lost);
 
+        Assert.True(ClientFrame.TryParse(Bytes("placeAt"), Places, out ClientFrame at));
+        Assert.Equal(new ClientFrame(FrameKind.PlaceAt, Cell: 0xA9B40025, Position: new Vector3(100, -1.5f, 20), Yaw: 1), at);
+        Assert.True(ClientFrame.TryParse(Bytes("placeOnGround"), Places, out ClientFrame onGround));
+        Assert.Equal(at with { Position = at.Position with { Z = float.NaN } }, onGround);
+
         Assert.Equal(Bytes("welcome"), ServerFrames.Welcome(7, new PlayerSettings(300, 250, 7000), 15_000, 9, 2));
         Assert.Equal(Bytes("pose"), ServerFrames.Pose(SamplePose, 9, 10, 3));
         Assert.Equal(Bytes("others"), ServerFrames.Others(12.5, 1, [(1, default), (2, SamplePose)]));
@@ -79,6 +84,11 @@ public sealed class FrameTests
     [InlineData("06 02")]
     [InlineData("07 00")]
     [InlineData("08 00")]
+    [InlineData("09 2500b4a9 0000c842 0000c0bf 0000a041")]
+    [InlineData("09 2500b4a9 0000c07f 0000c0bf 0000a041 0000803f")]
+    [InlineData("09 2500b4a9 0000c842 0000807f 0000a041 0000803f")]
+    [InlineData("09 2500b4a9 0000c842 0000c0bf 0000807f 0000803f")]
+    [InlineData("09 2500b4a9 0000c842 0000c0bf 0000a041 0000c07f")]
     [InlineData("81 01 07000000")]
     [InlineData("ff ffff ffff ffff ff")]
     public void A_frame_of_wrong_length_kind_or_range_is_refused(string hex) =>
@@ -87,12 +97,13 @@ public sealed class FrameTests
     [Fact]
     [Behaviour("workbench.frames.accepted-is-in-range", "design.md")]
     public void Whatever_the_bytes_an_accepted_frame_is_within_the_limits() =>
-        Gen.Byte.Array[0, 12].Sample(
+        Gen.Byte.Array[0, 24].Sample(
             bytes =>
             {
                 if (bytes.Length > 0) bytes[0] &= 15;
                 if (!ClientFrame.TryParse(bytes, Places, out ClientFrame frame)) return true;
                 return bytes.Length <= WireLimits.LongestClientFrame && Math.Abs(frame.Right) <= WireLimits.MaxPointerMove && frame.Place is >= 0 and < Places
+                    && float.IsFinite(frame.Position.X + frame.Position.Y + frame.Yaw) && !float.IsInfinity(frame.Position.Z)
                     && frame.Settings is { RunSkill: >= 0 and <= WireLimits.MaxSkill, JumpSkill: >= 0 and <= WireLimits.MaxSkill }
                     && frame.Settings.Burden >= 0 && frame.Settings.Burden <= WireLimits.MaxBurden;
             },

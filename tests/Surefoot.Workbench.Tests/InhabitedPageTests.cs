@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Numerics;
-using System.Text.Json;
 using Surefoot.Workbench.Simulation;
 using Surefoot.Workbench.Tests.Support;
 
@@ -8,23 +7,17 @@ namespace Surefoot.Workbench.Tests;
 
 /// <summary>What stands and lives in the world, as a real browser shows it.</summary>
 [Collection(BrowserCollection.Name)]
-public sealed class InhabitedPageTests(Browser browser) : IAsyncLifetime
+public sealed class InhabitedPageTests(Browser browser)
 {
-    private WorkbenchServer server = null!;
-
-    public async ValueTask InitializeAsync() => server = await Worlds.StartAsync();
-
-    public async ValueTask DisposeAsync() => await server.DisposeAsync();
-
     [Fact]
     [Behaviour("workbench.browser.creatures-are-drawn", "design.md, Who uses it")]
     public async Task The_crowd_and_the_creatures_are_there_and_the_creatures_walk()
     {
-        await using Tab tab = await browser.OpenAsync(server);
-        await GoTo(tab, "A crowd of a hundred");
+        await using Tab tab = await browser.OpenAsync();
+        await tab.GoTo("A crowd of a hundred");
         await tab.Until($"window.surefoot.bodies.filter((one) => one.type === {(int)BodyKind.Crowd}).length === 100", "the page is told of a hundred people");
         await tab.Until("window.surefoot.drawnThings.crowd === 100", "they are drawn");
-        await GoTo(tab, "Creatures at pasture");
+        await tab.GoTo("Creatures at pasture");
         string creatures = $"window.surefoot.bodies.filter((one) => one.type === {(int)BodyKind.Wanderer})";
         await tab.Until($"{creatures}.length === 6", "six creatures are near");
         await tab.Until($"{creatures}.some((one) => Math.hypot(one.velocity.x, one.velocity.y) > 0.5)", "one of them walks");
@@ -38,8 +31,8 @@ public sealed class InhabitedPageTests(Browser browser) : IAsyncLifetime
     [Behaviour("workbench.browser.windmill-turns", "design.md, Who uses it; spec/02, 4.19")]
     public async Task The_windmills_sails_turn_on_the_page_and_its_tower_stands()
     {
-        await using Tab tab = await browser.OpenAsync(server);
-        await GoTo(tab, "The windmill");
+        await using Tab tab = await browser.OpenAsync();
+        await tab.GoTo("The windmill");
         await tab.Until("window.surefoot.moving.length === 2", "tower and sails are drawn");
         const string sails = "window.surefoot.moving.find((one) => one.part === 1).rotation", tower = "window.surefoot.moving.find((one) => one.part === 0).rotation";
         double before = await tab.Number($"{sails}[1]");
@@ -54,8 +47,8 @@ public sealed class InhabitedPageTests(Browser browser) : IAsyncLifetime
     [Behaviour("workbench.browser.door-opens-and-closes", "design.md, Who uses it")]
     public async Task F_opens_the_door_at_hand_and_it_closes_by_itself()
     {
-        await using Tab tab = await browser.OpenAsync(server);
-        await GoTo(tab, "A door");
+        await using Tab tab = await browser.OpenAsync();
+        await tab.GoTo("A door");
         string door = $"window.surefoot.bodies.find((one) => one.type === {(int)BodyKind.Door})";
         await tab.Until($"{door}?.flags === 0 && window.surefoot.drawnThings.door === 0", "the door is closed");
         await tab.Page.Keyboard.DownAsync("w");
@@ -76,8 +69,8 @@ public sealed class InhabitedPageTests(Browser browser) : IAsyncLifetime
     [Behaviour("workbench.browser.cutaway-indoors", "design.md, Who uses it")]
     public async Task In_a_house_the_wall_before_the_camera_is_cut_away_and_the_panel_names_the_wall_run_into()
     {
-        await using Tab tab = await browser.OpenAsync(server);
-        await GoTo(tab, "In the hall");
+        await using Tab tab = await browser.OpenAsync();
+        await tab.GoTo("In the hall");
         await tab.Until("window.surefoot.cut.opens === 1", "the house is opened around the player");
         await tab.Page.Keyboard.DownAsync("q");
         string cell = (await tab.Read("window.surefoot.panel.cell")).GetString()!;
@@ -96,8 +89,8 @@ public sealed class InhabitedPageTests(Browser browser) : IAsyncLifetime
     [Behaviour("workbench.browser.cutaway-behind-a-house", "design.md, Who uses it")]
     public async Task Behind_a_house_the_player_is_seen_through_it()
     {
-        await using Tab tab = await browser.OpenAsync(server);
-        await GoTo(tab, "At a house's door");
+        await using Tab tab = await browser.OpenAsync();
+        await tab.GoTo("At a house's door");
         // Half a turn at 0.0055 radians a pixel, in two pulls: the camera comes to be in the house, then beyond it.
         for (int pull = 0; pull < 2; pull++)
         {
@@ -128,15 +121,5 @@ public sealed class InhabitedPageTests(Browser browser) : IAsyncLifetime
         Assert.Equal((int)TouchKind.Object, await tab.Number("window.surefoot.touches.find((one) => one.footing).type"));
         uint id = (uint)await tab.Number("window.surefoot.touches.find((one) => one.footing).id");
         await tab.Until($"window.surefoot.panel.footing === 'object 0x{id.ToString("X8", CultureInfo.InvariantCulture)}\\nslope 0.0°'", "the panel names the crate and its slope");
-    }
-
-    private static async Task GoTo(Tab tab, string place)
-    {
-        await tab.Until("window.surefoot.places.length > 0", "the places are listed");
-        JsonElement places = await tab.Read("window.surefoot.places.map((one) => one.name)");
-        int index = places.EnumerateArray().Select(one => one.GetString()).ToList().IndexOf(place);
-        await tab.Page.Locator("#places").SelectOptionAsync(index.ToString(CultureInfo.InvariantCulture));
-        uint cell = (uint)await tab.Number($"window.surefoot.places[{index}].cell");
-        await tab.Until($"window.surefoot.pose.cell >>> 16 === {cell >> 16} && window.surefoot.drawn?.teleports === window.surefoot.pose.teleports && window.surefoot.pose.teleports > 0", $"the player is at {place}");
     }
 }

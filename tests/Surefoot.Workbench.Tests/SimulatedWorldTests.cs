@@ -189,6 +189,68 @@ public sealed class SimulatedWorldTests : IDisposable
     }
 
     [Fact]
+    [Behaviour("workbench.world.place-in-numbers", "design.md, Who uses it: jump to a named place")]
+    public void A_player_can_be_put_at_a_cell_and_metres_or_on_the_ground_there()
+    {
+        IWorkbenchPlayer player = world.Join(1, PlayerSettings.Default, Runway, now);
+        player.Goto(new WorkbenchPlace("", 0xA9B50032, new Vector3(150, 30, 20), 1), now);
+        Assert.Equal(0xA9B50032u, player.Pose.CellId);
+        Assert.True(Vector3.Distance(new Vector3(150, 30, 20), player.Pose.Position) < 0.01f);
+        Assert.Equal(1 - Math.Tau, player.Pose.Yaw, 1e-5);
+        player.Goto(new WorkbenchPlace("", 0xA9B50001, new Vector3(84, 96.01f, float.NaN), 0), now);
+        Assert.Equal(0xA9B5001Du, player.Pose.CellId);
+        Assert.Equal(20, player.Pose.Position.Z, 0.01);
+        Assert.Equal(2, player.Pose.Teleports);
+    }
+
+    [Theory]
+    [Behaviour("workbench.world.impossible-place-is-refused", "design.md, Errors: a bad argument leaves the state unchanged")]
+    [InlineData(0x00010001u, 12, 12, 0, PlaceRefusal.NoSuchCell)]
+    [InlineData(0xA9B5FFFFu, 12, 12, 0, PlaceRefusal.NoSuchCell)]
+    [InlineData(0xA9B50000u, 12, 12, 0, PlaceRefusal.NoSuchCell)]
+    [InlineData(0xA9B50100u, 12, 12, 0, PlaceRefusal.NoSuchCell)]
+    [InlineData(0xFFFF0100u, 12, 12, 0, PlaceRefusal.NoSuchCell)]
+    [InlineData(0xFEFE0040u, 500, 0, 0, PlaceRefusal.OutsideMap)]
+    [InlineData(0xA9B50001u, 1e30f, 0, 0, PlaceRefusal.OutsideMap)]
+    [InlineData(0x01200100u, -500, 43, 0, PlaceRefusal.OutsideRooms)]
+    [InlineData(0x01200100u, 96, 43, float.NaN, PlaceRefusal.NoSuchCell)]
+    [InlineData(0xA9B50032u, 156, 24, -50, PlaceRefusal.UnderGround)]
+    [InlineData(0xA9B50032u, 156, 24, 1e6f, PlaceRefusal.TooHigh)]
+    public void An_impossible_place_leaves_the_player_where_it_was_and_says_why(uint cell, float x, float y, float z, object refusal)
+    {
+        IWorkbenchPlayer player = world.Join(1, PlayerSettings.Default, Runway, now);
+        Pass(0.2);
+        Drain(player);
+        PlayerPose before = player.Pose;
+        player.Goto(new WorkbenchPlace("", cell, new Vector3(x, y, z), 0), now);
+        PlayerEvent refused = Assert.Single(Drain(player));
+        Assert.Equal((PlayerEventKind.PlaceRefused, (PlaceRefusal)refusal), (refused.Kind, (PlaceRefusal)refused.Code));
+        Assert.Equal(before, player.Pose);
+    }
+
+    [Fact]
+    [Behaviour("workbench.world.second-player-stands-beside-the-first", "design.md, Who uses it: two tabs")]
+    public void Whoever_comes_to_a_place_where_somebody_stands_is_put_beside()
+    {
+        List<IWorkbenchPlayer> players = [];
+        WorkbenchPlace corridor = world.Places.Single(place => place.Name == "A corridor of four rooms");
+        for (uint id = 1; id <= 6; id++) players.Add(world.Join(id, PlayerSettings.Default, Runway, now));
+        AssertApart(players);
+        foreach (IWorkbenchPlayer player in players)
+        {
+            player.Goto(corridor, now);
+            Assert.True(Vector3.Distance(corridor.Position, player.Pose.Position) < 4);
+        }
+
+        AssertApart(players);
+        Pass(0.5);
+        Assert.All(players, player => Assert.True(player.Pose.Flags.HasFlag(PoseFlags.OnWalkable)));
+        PlayerPose last = players[^1].Pose;
+        players[^1].Goto(new WorkbenchPlace("", last.CellId, last.Position, last.Yaw), now);
+        Assert.True(Vector3.Distance(last.Position, players[^1].Pose.Position) < 0.01f);
+    }
+
+    [Fact]
     [Behaviour("workbench.world.leaving-leaves-nothing", "design.md, Who uses it: a closed tab leaves nothing behind")]
     public void A_player_that_leaves_can_come_back_under_the_same_id_in_the_same_place()
     {
@@ -237,6 +299,19 @@ public sealed class SimulatedWorldTests : IDisposable
         string places = await http.GetStringAsync(new Uri(server.Address, "/places.json"));
         Assert.Contains("Holtburg", places, StringComparison.Ordinal);
         Assert.DoesNotContain("Yaraq", places, StringComparison.Ordinal);
+    }
+
+    /// <summary>The width of a body and more between each two.</summary>
+    private static void AssertApart(List<IWorkbenchPlayer> players)
+    {
+        for (int i = 0; i < players.Count; i++)
+        {
+            for (int j = 0; j < i; j++)
+            {
+                PlayerPose a = players[i].Pose, b = players[j].Pose;
+                Assert.True(new Position(a.CellId, a.Position).OffsetTo(new Position(b.CellId, b.Position)).Length() > 0.96f, $"players {i} and {j}");
+            }
+        }
     }
 
     private static List<PlayerEvent> Drain(IWorkbenchPlayer player)

@@ -136,6 +136,9 @@ internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters co
             case FrameKind.Goto:
                 seat.Player.Goto(world.Places[frame.Place], now);
                 break;
+            case FrameKind.PlaceAt:
+                seat.Player.Goto(new WorkbenchPlace("", frame.Cell, frame.Position, frame.Yaw), now);
+                break;
             case FrameKind.Use:
                 seat.Player.Use(now);
                 break;

@@ -87,6 +87,9 @@ internal enum PlayerEventKind : byte
 
     /// <summary>The server answered with a run rate. Value: the rate.</summary>
     RunRateChanged = 4,
+
+    /// <summary>The player is where it was, because nobody can be at the place asked for. Code: the <see cref="PlaceRefusal"/>.</summary>
+    PlaceRefused = 5,
 }
 
 /// <summary>Something that happened to a player.</summary>

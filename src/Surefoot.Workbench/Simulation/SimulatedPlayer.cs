@@ -48,6 +48,8 @@ internal sealed class SimulatedPlayer(LoopbackServer server, Func<uint, (TouchKi
     /// <summary>The player in the physics.</summary>
     public LocalPlayer Player => player ?? throw new InvalidOperationException("The player has not entered the world.");
 
+    private SimulatedWorld World => world ?? throw new InvalidOperationException("The player has not entered the world.");
+
     /// <summary>The numbers of a character with these settings.</summary>
     public static CharacterStats StatsOf(PlayerSettings settings) =>
         new(settings.RunSkill, settings.JumpSkill, Strength: Strength, Burden: settings.Burden);
@@ -120,15 +122,21 @@ internal sealed class SimulatedPlayer(LoopbackServer server, Func<uint, (TouchKi
     /// <inheritdoc/>
     public void Goto(WorkbenchPlace place, double now)
     {
-        world?.LoadAround(place.CellId, 1);
-        if (Player.Teleport(PositionOf(place), now) != PlacementResult.OK) return;
+        PlaceRefusal refusal = World.FindPlace(place, this, out Position position);
+        if (refusal == PlaceRefusal.None && Player.Teleport(position, now) != PlacementResult.OK) refusal = PlaceRefusal.NoRoom;
+        if (refusal != PlaceRefusal.None)
+        {
+            Happen(new PlayerEvent(PlayerEventKind.PlaceRefused, now, Code: (uint)refusal));
+            return;
+        }
+
         teleports++;
         speed.Reset();
         Observe(now);
     }
 
     /// <inheritdoc/>
-    public void Use(double now) => world?.UseDoor(this, now);
+    public void Use(double now) => World.UseDoor(this, now);
 
     /// <inheritdoc/>
     public bool TryTakeEvent(out PlayerEvent happened) => events.TryDequeue(out happened);

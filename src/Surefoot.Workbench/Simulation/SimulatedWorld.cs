@@ -33,6 +33,7 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     private readonly SetupAsset human;
     private readonly MotionTableAsset humanMotions;
     private readonly Inhabitants inhabitants;
+    private readonly Arrival arrival;
     private readonly ILogger logger;
     private readonly List<SimulatedPlayer> players = [];
     private readonly List<uint> leaving = [];
@@ -59,6 +60,7 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
         human = cache.GetSetup(HumanSetup);
         humanMotions = MotionTableLoader.LoadFor(dats, human, leftOut: land.LeftOut);
         inhabitants = new Inhabitants(engine, cache, spawns, WandererSeed);
+        arrival = new Arrival(engine, land, human, cellId => LoadAround(cellId, 1));
         PhysicsWorld view = new(cache, land.Region);
         Places = [.. places.Where(place => view.LoadLandblock(place.CellId) && view.GetVisible(place.CellId) is not null).Select(OnGround)];
         if (Places.Count == 0) Places = [OnGround(KnownPlaces.Somewhere(dats, view.LoadLandblock))];
@@ -82,11 +84,12 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     /// <inheritdoc/>
     public IWorkbenchPlayer Join(uint id, PlayerSettings settings, WorkbenchPlace place, double now)
     {
-        LoadAround(place.CellId, 1);
+        PlaceRefusal refusal = FindPlace(place, null, out Position position);
+        if (refusal != PlaceRefusal.None) throw new InvalidOperationException($"A player cannot be at {place.Name}: {refusal}.");
         LoopbackServer server = new(id, SimulatedPlayer.StatsOf(settings), engine.Now, ServerLatency);
         SimulatedPlayer player = new(server, NameOf);
         LocalPlayer? spawned = LocalPlayer.Spawn(
-            engine, id, human, humanMotions, SimulatedPlayer.PositionOf(place), server, new LocalPlayerOptions { Observer = player, Trace = player.Trace });
+            engine, id, human, humanMotions, position, server, new LocalPlayerOptions { Observer = player, Trace = player.Trace });
         player.Enter(spawned ?? throw new InvalidOperationException($"There is no room for a player at {place.Name}."), this, now);
         players.Add(player);
         return player;
@@ -184,6 +187,19 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
 
     /// <inheritdoc/>
     public void Dispose() => dats.Dispose();
+
+    /// <summary>Where a player is put who asks for a place: beside the other players.</summary>
+    /// <param name="place">What is asked for.</param>
+    /// <param name="player">Who asks; null for one who is not in the world yet.</param>
+    /// <param name="position">Where that is.</param>
+    /// <returns>None, or why nobody can be there.</returns>
+    internal PlaceRefusal FindPlace(WorkbenchPlace place, SimulatedPlayer? player, out Position position)
+    {
+        PlaceRefusal refusal = arrival.Find(place, out position);
+        if (refusal == PlaceRefusal.None)
+            position = arrival.Beside(position, [.. players.Where(other => other != player).Select(other => other.Player.Body)]);
+        return refusal;
+    }
 
     /// <summary>The nearest door within a player's reach opens, or closes.</summary>
     internal void UseDoor(SimulatedPlayer player, double now) => inhabitants.UseDoor(player.Player.Body.Position, now);

@@ -1,4 +1,5 @@
 using System.Buffers.Binary;
+using System.Numerics;
 using Surefoot.Workbench.Simulation;
 
 namespace Surefoot.Workbench.Wire;
@@ -12,7 +13,10 @@ internal readonly record struct ClientFrame(
     int Place = 0,
     PointerButtons Buttons = PointerButtons.None,
     float Right = 0,
-    bool On = false)
+    bool On = false,
+    uint Cell = 0,
+    Vector3 Position = default,
+    float Yaw = 0)
 {
     /// <summary>Reads a frame. The bytes are untrusted: exact length, known kind, every value in its range, or false.</summary>
     /// <param name="bytes">One whole WebSocket message.</param>
@@ -48,6 +52,12 @@ internal readonly record struct ClientFrame(
             case FrameKind.MouseTurning when body.Length == 1 && body[0] <= 1:
                 frame = new ClientFrame(FrameKind.MouseTurning, On: body[0] == 1);
                 return true;
+            case FrameKind.PlaceAt when body.Length == 20:
+                Vector3 position = new(Single(body, 4), Single(body, 8), Single(body, 12));
+                float yaw = Single(body, 16);
+                if (!float.IsFinite(position.X) || !float.IsFinite(position.Y) || float.IsInfinity(position.Z) || !float.IsFinite(yaw)) return false;
+                frame = new ClientFrame(FrameKind.PlaceAt, Cell: BinaryPrimitives.ReadUInt32LittleEndian(body), Position: position, Yaw: yaw);
+                return true;
             case FrameKind.Use or FrameKind.AutoRun or FrameKind.FocusLost when body.IsEmpty:
                 frame = new ClientFrame((FrameKind)bytes[0]);
                 return true;
@@ -55,4 +65,6 @@ internal readonly record struct ClientFrame(
                 return false;
         }
     }
+
+    private static float Single(ReadOnlySpan<byte> bytes, int at) => BinaryPrimitives.ReadSingleLittleEndian(bytes[at..]);
 }

@@ -29,6 +29,12 @@ internal enum FrameKind : byte
     /// <summary>Page → server, nothing more: the keyboard is elsewhere, and every key counts as let go.</summary>
     FocusLost = 0x08,
 
+    /// <summary>
+    /// Page → server: <c>u32 cell, f32[3] position, f32 yaw</c>: be there; a height that is no number means on the ground. Answered by a pose with another
+    /// count of teleports, or by the event <see cref="Simulation.PlayerEventKind.PlaceRefused"/>.
+    /// </summary>
+    PlaceAt = 0x09,
+
     /// <summary>Server → page, once and first; see <see cref="ServerFrames.Welcome"/>.</summary>
     Welcome = 0x81,
 
@@ -85,10 +91,10 @@ internal enum PointerButtons : byte
 internal static class WireLimits
 {
     /// <summary>Version of the frames; a page of another version reloads itself.</summary>
-    public const byte Version = 4;
+    public const byte Version = 5;
 
     /// <summary>Longest frame a page sends, bytes.</summary>
-    public const int LongestClientFrame = 9;
+    public const int LongestClientFrame = 21;
 
     /// <summary>Farthest that a pointer moves between two frames, counts.</summary>
     public const float MaxPointerMove = 10_000f;

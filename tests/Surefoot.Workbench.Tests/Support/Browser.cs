@@ -1,5 +1,8 @@
+using System.Collections.Concurrent;
+using System.Globalization;
 using System.Text.Json;
 using Microsoft.Playwright;
+using Surefoot.Workbench.Simulation;
 
 namespace Surefoot.Workbench.Tests.Support;
 
@@ -14,13 +17,23 @@ public sealed class Browser : IAsyncLifetime
         @"C:\Program Files\Google\Chrome\Application\chrome.exe", @"C:\Program Files (x86)\Microsoft\Edge\Application\msedge.exe",
     ];
 
+    private readonly ConcurrentDictionary<(uint Player, uint Step), PlayerPose> published = new();
     private IPlaywright? playwright;
     private IBrowser? browser;
+    private WorkbenchServer? server;
+
+    /// <summary>A workbench on the demo world, shared by the tests that change nothing about the server itself.</summary>
+    internal WorkbenchServer Server => server!;
+
+    /// <summary>What the shared workbench said of its players, by player and step.</summary>
+    internal IReadOnlyDictionary<(uint Player, uint Step), PlayerPose> Published => published;
 
     public async ValueTask InitializeAsync()
     {
         string? path = Array.Find(Candidates, File.Exists);
         if (path is null) return;
+        server = await Worlds.StartAsync();
+        server.Loop.PosePublished = (player, step, pose) => published[(player, step)] = pose;
         playwright = await Playwright.CreateAsync();
         browser = await playwright.Chromium.LaunchAsync(new BrowserTypeLaunchOptions
         {
@@ -38,15 +51,22 @@ public sealed class Browser : IAsyncLifetime
     {
         if (browser is not null) await browser.DisposeAsync();
         playwright?.Dispose();
+        if (server is not null) await server.DisposeAsync();
     }
 
-    /// <summary>A tab on the workbench, when its player is drawn.</summary>
-    internal async Task<Tab> OpenAsync(WorkbenchServer server)
+    /// <summary>A tab on the shared workbench, when its player is drawn.</summary>
+    /// <param name="query">What the link says.</param>
+    internal Task<Tab> OpenAsync(string query = "") => OpenAsync(server, query);
+
+    /// <summary>A tab on a workbench, when its player is drawn.</summary>
+    /// <param name="played">The workbench.</param>
+    /// <param name="query">What the link says.</param>
+    internal async Task<Tab> OpenAsync(WorkbenchServer? played, string query = "")
     {
         Assert.SkipWhen(browser is null, "There is no Chromium on this machine, so the page was not tried in a browser. Install it (Debian: apt-get install chromium) or name one in SUREFOOT_CHROMIUM.");
         IPage page = await browser!.NewPageAsync(new BrowserNewPageOptions { ViewportSize = new ViewportSize { Width = 800, Height = 450 }, DeviceScaleFactor = 0.5f });
         Tab tab = new(page);
-        await page.GotoAsync(server.Address.AbsoluteUri);
+        await page.GotoAsync(played!.Address.AbsoluteUri + query);
         await tab.Until("window.surefoot?.ready === true", "the player is drawn");
         return tab;
     }
@@ -93,6 +113,20 @@ internal sealed class Tab : IAsyncDisposable
         }
 
         Assert.Fail($"Did not happen: {what}. Complaints: {string.Join("; ", complaints)}");
+    }
+
+    /// <summary>Goes to a named place by its name.</summary>
+    public async Task GoTo(string place)
+    {
+        await Until("window.surefoot.places.length > 0", "the places are listed");
+        JsonElement places = await Read("window.surefoot.places.map((one) => one.name)");
+        int index = places.EnumerateArray().Select(one => one.GetString()).ToList().IndexOf(place);
+        double before = await Number("window.surefoot.pose.teleports");
+        await Page.Locator("#places").SelectOptionAsync(index.ToString(CultureInfo.InvariantCulture));
+        uint cell = (uint)await Number($"window.surefoot.places[{index}].cell");
+        await Until(
+            $"window.surefoot.pose.cell >>> 16 === {cell >> 16} && window.surefoot.drawn?.teleports === window.surefoot.pose.teleports && window.surefoot.pose.teleports !== {before}",
+            $"the player is at {place}");
     }
 
     public async ValueTask DisposeAsync() => await Page.CloseAsync();

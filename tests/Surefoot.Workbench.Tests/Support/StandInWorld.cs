@@ -42,8 +42,12 @@ internal sealed class StandInWorld : IWorkbenchWorld
 
     public void Leave(IWorkbenchPlayer player) => players.Remove((StandInPlayer)player);
 
+    /// <summary>Closed, the world stands still, as a server does that hangs.</summary>
+    public ManualResetEventSlim Gate { get; } = new(initialState: true);
+
     public bool Advance(double now)
     {
+        Gate.Wait();
         if (double.IsNaN(last)) last = now;
         float quantum = (float)(now - last);
         if (quantum < WireLimits.MinQuantum) return false;
@@ -78,7 +82,11 @@ internal sealed class StandInWorld : IWorkbenchWorld
                 [new MovingShape(3, 2, [Vector3.Zero, Vector3.UnitX, new Vector3(0, 0, 9)])])
             : null;
 
-    public void Dispose() => Disposed = true;
+    public void Dispose()
+    {
+        Gate.Dispose();
+        Disposed = true;
+    }
 
     private sealed class StandInPlayer(PlayerSettings settings, WorkbenchPlace place, double joined, Action use) : IWorkbenchPlayer
     {
@@ -117,7 +125,7 @@ internal sealed class StandInWorld : IWorkbenchWorld
         public void Configure(PlayerSettings changed, double time) => settings = changed;
 
         public void Goto(WorkbenchPlace where, double time) =>
-            Pose = Pose with { CellId = where.CellId, Position = where.Position, Yaw = where.Yaw, Teleports = (byte)(Pose.Teleports + 1) };
+            Pose = Pose with { CellId = where.CellId, Position = where.Position with { Z = Ground }, Yaw = where.Yaw, Teleports = (byte)(Pose.Teleports + 1) };
 
         public IReadOnlyList<Touch> Touches => [new Touch(true, TouchKind.Ground, Pose.CellId, Vector3.UnitZ, ""), new Touch(false, TouchKind.Body, DoorId, Vector3.UnitX, "door")];
 

@@ -1,6 +1,7 @@
 // Puts the parts together and draws a frame whenever the screen is ready.
 
 import "./hud/style.css";
+import { Address } from "./hud/address";
 import { commands } from "./hud/commands";
 import { Hud } from "./hud/hud";
 import { type Frames, Inspection } from "./hud/inspection";
@@ -8,8 +9,12 @@ import { Keyboard } from "./hud/keys";
 import { LeftOutPanel } from "./hud/leftOut";
 import { Pointer } from "./hud/pointer";
 import { Connection } from "./net/connection";
+import { Entrance } from "./net/entrance";
+import type { Toggle } from "./net/link";
 import { fetchPlaces } from "./net/places";
+import { Requests } from "./net/requests";
 import { Session } from "./net/session";
+import { formatSpot } from "./net/spot";
 import { PoseFlag, type ServerFrame } from "./net/wire";
 import { WorldView } from "./things/worldView";
 
@@ -17,62 +22,79 @@ const session = new Session();
 const surface = document.getElementById("view") as HTMLCanvasElement;
 const world = new WorldView(surface);
 const drawing: Frames = { count: 0, drawnAt: 0 };
+const listing = fetchPlaces();
 
 const connection = new Connection(receive, (state) => {
-  hud.state(state);
-  if (state !== "open") return;
+  if (state !== "open") return hud.cover.show(state);
   keyboard.releaseAll();
-  connection.sendMouseTurning(pointer.turnsPlayer);
+  requests.mouseTurning(pointer.turnsPlayer);
 });
-const hud = new Hud(
-  {
-    settings: (run, jump, burden) => connection.sendSettings(run, jump, burden),
-    goto: (place) => connection.sendGoto(place),
+const requests = new Requests(connection);
+const hud = new Hud({
+  settings: (settings) => {
+    entrance.chose(settings);
+    address.touch();
   },
-  { triangles: toggleTriangles, shapes: toggleShapes, mouse: toggleMouse },
-);
+  toggle,
+  goto: (place) => requests.goto(place),
+});
+const entrance = new Entrance(location.search, listing, requests, {
+  settings: (settings) => hud.skills.show(settings),
+  toggles: (wanted) => {
+    for (const [name, on] of Object.entries(wanted)) hud.toggles.set(name as Toggle, on);
+  },
+  place: (index) => hud.showHint(index),
+  ignored: (parts) => hud.notice.show(`Ignored in the link: ${parts.join("; ")}.`),
+});
+const address = new Address(() => {
+  const { spot, ...skills } = entrance.asLink;
+  return { ...skills, at: spot ? formatSpot(spot) : undefined, toggles: hud.toggles.all };
+});
 const keyCommands = commands({
-  triangles: toggleTriangles,
-  shapes: toggleShapes,
-  use: () => connection.sendUse(),
-  autoRun: () => connection.sendAutoRun(),
-  mouse: toggleMouse,
+  toggle: (name) => hud.toggles.flip(name),
+  use: () => requests.use(),
+  autoRun: () => requests.autoRun(),
   recenter: () => world.stage.view.recenter(),
-  panels: () => hud.togglePanels(),
   help: (shown) => hud.toggleHelp(shown),
 });
 const keyboard = new Keyboard(
-  (bits) => connection.sendKeys(bits),
-  () => connection.sendFocusLost(),
+  (bits) => requests.keys(bits),
+  () => requests.focusLost(),
   (code) => keyCommands.get(code)?.(),
 );
 const leftOut = new LeftOutPanel();
-const pointer = new Pointer(surface, (buttons, right) => connection.sendPointer(buttons, right));
+const pointer = new Pointer(surface, (buttons, right) => requests.pointer(buttons, right));
 
-window.surefoot = new Inspection(world, session, hud, connection, drawing);
-void fetchPlaces().then((listing) => hud.listPlaces(listing.world, listing.places));
+window.surefoot = new Inspection(world, session, hud, connection, requests, drawing);
+void listing.then((places) => hud.listPlaces(places));
 connection.open();
 requestAnimationFrame(draw);
 
 function receive(frame: ServerFrame): void {
   session.receive(frame, performance.now() / 1000);
   world.receive(frame);
+  if (frame.kind === "event" && entrance.event(frame)) return;
   hud.receive(frame);
-  if (frame.kind === "pose") leftOut.enter(frame.cell);
+  if (frame.kind === "welcome") entrance.welcome(frame);
+  if (frame.kind !== "pose") return;
+  entrance.pose(frame);
+  leftOut.enter(frame.cell);
+  if (!entrance.entering) address.touch();
 }
 
 let lastFrame = performance.now() / 1000;
 
 function draw(): void {
   requestAnimationFrame(draw);
-  const now = performance.now() / 1000;
+  // While the server is lost the picture stands still.
+  const now = connection.state === "lost" ? lastFrame : performance.now() / 1000;
   const elapsed = now - lastFrame;
   lastFrame = now;
   drawing.count++;
   drawing.drawnAt = session.clock.drawTime(now);
   world.draw(drawing.drawnAt, session.pose, now, elapsed);
   showNear();
-  if (drawing.count % 15 === 0) hud.showFps(1 / world.stage.frameTime);
+  if (drawing.count % 15 === 0) hud.panel.showFps(1 / world.stage.frameTime);
 }
 
 /** What depends on where the player is drawn. */
@@ -81,22 +103,27 @@ function showNear(): void {
   if (!drawn || !session.pose) return;
   hud.showDoor(world.bodies.doorAt(drawn.position));
   hud.showCharge((session.pose.flags & PoseFlag.Charging) !== 0, drawn.charge);
-  if (world.terrain.drawn > 0) hud.uncover();
+  if (connection.state !== "open") return;
+  if (world.terrain.drawn > 0 && !entrance.entering) hud.cover.lift();
+  else hud.cover.show("open");
 }
 
-function toggleTriangles(): void {
-  world.showsTriangles = !world.showsTriangles;
-  hud.showTriangles(world.showsTriangles);
-}
-
-function toggleShapes(): void {
-  world.showsShapes = !world.showsShapes;
-  hud.showShapes(world.showsShapes);
-}
-
-function toggleMouse(): void {
-  pointer.turnsPlayer = !pointer.turnsPlayer;
-  world.stage.view.rightTurns = pointer.turnsPlayer;
-  connection.sendMouseTurning(pointer.turnsPlayer);
-  hud.showMouse(pointer.turnsPlayer);
+function toggle(name: Toggle, on: boolean): void {
+  switch (name) {
+    case "triangles":
+      world.showsTriangles = on;
+      hud.showTriangles(on);
+      break;
+    case "shapes":
+      world.showsShapes = on;
+      break;
+    case "panels":
+      hud.showPanels(on);
+      break;
+    case "mouse":
+      pointer.turnsPlayer = world.stage.view.rightTurns = on;
+      requests.mouseTurning(on);
+      break;
+  }
+  address.touch();
 }

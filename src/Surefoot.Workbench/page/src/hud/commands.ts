@@ -1,13 +1,12 @@
 // Keys that do something once.
 
+import type { Toggle } from "../net/link";
+
 interface Acts {
-  triangles(): void;
-  shapes(): void;
+  toggle(name: Toggle): void;
   use(): void;
   autoRun(): void;
-  mouse(): void;
   recenter(): void;
-  panels(): void;
   help(shown?: boolean): void;
 }
 
@@ -15,13 +14,13 @@ interface Acts {
 export function commands(acts: Acts): ReadonlyMap<string, () => void> {
   const help = (): void => acts.help();
   return new Map([
-    ["KeyT", acts.triangles],
-    ["KeyV", acts.shapes],
+    ["KeyT", () => acts.toggle("triangles")],
+    ["KeyV", () => acts.toggle("shapes")],
     ["KeyF", acts.use],
     ["KeyR", acts.autoRun],
-    ["KeyM", acts.mouse],
+    ["KeyM", () => acts.toggle("mouse")],
     ["KeyC", acts.recenter],
-    ["KeyP", acts.panels],
+    ["KeyP", () => acts.toggle("panels")],
     ["KeyH", help],
     ["Slash", help],
     ["Escape", () => acts.help(false)],

@@ -1,7 +1,8 @@
 // What the page shows, as `window.surefoot`: for tests, and for the curious at the browser's console.
 
-import type { Connection } from "../net/connection";
+import type { Connection, ConnectionState } from "../net/connection";
 import type { Place } from "../net/places";
+import type { Requests } from "../net/requests";
 import type { Session } from "../net/session";
 import type { Drawn } from "../net/timeline";
 import type { BodyPose, OwnPose, PlayerEvent, Touch, Vec3 } from "../net/wire";
@@ -23,11 +24,23 @@ export class Inspection {
     private readonly session: Session,
     private readonly hud: Hud,
     private readonly connection: Connection,
+    private readonly requests: Requests,
     private readonly drawing: Readonly<Frames>,
   ) {}
 
+  /** The player stands where it wants to be, on land that is drawn, and nothing covers it. */
   get ready(): boolean {
-    return this.world.drawn !== null && this.world.terrain.drawn > 0;
+    return this.world.drawn !== null && this.world.terrain.drawn > 0 && this.covered === null;
+  }
+
+  /** Why the world is covered, or null. */
+  get covered(): ConnectionState | null {
+    return this.hud.cover.shown;
+  }
+
+  /** The line that stays until it is put away; empty without one. */
+  get notice(): string {
+    return this.hud.notice.shown;
   }
 
   get player(): number | null {
@@ -48,7 +61,7 @@ export class Inspection {
   }
 
   get panel(): Record<string, string> {
-    return this.hud.panel;
+    return this.hud.panel.texts;
   }
 
   get bar(): number {
@@ -69,6 +82,11 @@ export class Inspection {
 
   get messages(): number {
     return this.connection.frames;
+  }
+
+  /** The moment drawn last, seconds of the server's clock. */
+  get drawnAt(): number {
+    return this.drawing.drawnAt;
   }
 
   get fps(): number {
@@ -131,7 +149,7 @@ export class Inspection {
   }
 
   sendRaw(bytes: number[]): void {
-    this.connection.sendRaw(new Uint8Array(bytes).buffer);
+    this.requests.raw(new Uint8Array(bytes).buffer);
   }
 }
 

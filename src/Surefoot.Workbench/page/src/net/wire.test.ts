@@ -1,15 +1,16 @@
 import { describe, expect, it } from "vitest";
 import {
-  decode,
   encodeAutoRun,
   encodeFocusLost,
   encodeGoto,
   encodeInput,
   encodeMouseTurning,
+  encodePlaceAt,
   encodePointer,
   encodeSettings,
   encodeUse,
-} from "./wire";
+} from "./encode";
+import { decode } from "./wire";
 import samples from "./wire.samples.json";
 
 const bytes = (hex: string): ArrayBuffer =>
@@ -28,6 +29,9 @@ describe("frames of the page", () => {
     expect(encodeMouseTurning(true)).toEqual(bytes(samples.mouseTurning.hex));
     expect(encodeAutoRun()).toEqual(bytes(samples.autoRun.hex));
     expect(encodeFocusLost()).toEqual(bytes(samples.focusLost.hex));
+    const { cell, position, yaw } = samples.placeAt;
+    expect(encodePlaceAt({ cell, x: position[0], y: position[1], z: position[2], yaw })).toEqual(bytes(samples.placeAt.hex));
+    expect(encodePlaceAt({ cell, x: position[0], y: position[1], z: null, yaw })).toEqual(bytes(samples.placeOnGround.hex));
   });
 });
 

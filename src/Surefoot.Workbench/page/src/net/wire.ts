@@ -1,6 +1,6 @@
 // The frames between this page and the server; `Wire/` in the server's source says the same. All numbers are little-endian.
 
-export const wireVersion = 4;
+export const wireVersion = 5;
 
 export const Key = {
   Forward: 1,
@@ -25,7 +25,7 @@ export const PoseFlag = {
   Nowhere: 32,
 } as const;
 
-export const EventKind = { Jumped: 1, Landed: 2, JumpRefused: 3, RunRateChanged: 4 } as const;
+export const EventKind = { Jumped: 1, Landed: 2, JumpRefused: 3, RunRateChanged: 4, PlaceRefused: 5 } as const;
 
 export interface Vec3 {
   x: number;
@@ -33,13 +33,26 @@ export interface Vec3 {
   z: number;
 }
 
-export interface Welcome {
-  kind: "welcome";
-  version: number;
-  player: number;
+/** Somewhere to be: metres in the landblock of the cell, without a height on the ground; radians, counter-clockwise from north. */
+export interface Spot {
+  cell: number;
+  x: number;
+  y: number;
+  z: number | null;
+  yaw: number;
+}
+
+/** What a person moves sliders for; burden in burden units. */
+export interface Settings {
   runSkill: number;
   jumpSkill: number;
   burden: number;
+}
+
+export interface Welcome extends Settings {
+  kind: "welcome";
+  version: number;
+  player: number;
   burdenCapacity: number;
   maxSkill: number;
   maxBurden: number;
@@ -165,55 +178,6 @@ const lengths = {
   movingHeader: 11,
   moving: 40,
 };
-
-export function encodeInput(keys: number, sequence: number): ArrayBuffer {
-  const view = new DataView(new ArrayBuffer(6));
-  view.setUint8(0, 0x01);
-  view.setUint8(1, keys);
-  view.setUint32(2, sequence, true);
-  return view.buffer;
-}
-
-export function encodeSettings(runSkill: number, jumpSkill: number, burden: number): ArrayBuffer {
-  const view = new DataView(new ArrayBuffer(9));
-  view.setUint8(0, 0x02);
-  view.setUint16(1, runSkill, true);
-  view.setUint16(3, jumpSkill, true);
-  view.setUint32(5, burden, true);
-  return view.buffer;
-}
-
-export function encodeGoto(place: number): ArrayBuffer {
-  const view = new DataView(new ArrayBuffer(3));
-  view.setUint8(0, 0x03);
-  view.setUint16(1, place, true);
-  return view.buffer;
-}
-
-export function encodeUse(): ArrayBuffer {
-  return new Uint8Array([0x04]).buffer;
-}
-
-/** @param right how far the pointer moved to the right, counts */
-export function encodePointer(buttons: number, right: number): ArrayBuffer {
-  const view = new DataView(new ArrayBuffer(6));
-  view.setUint8(0, 0x05);
-  view.setUint8(1, buttons);
-  view.setFloat32(2, right, true);
-  return view.buffer;
-}
-
-export function encodeMouseTurning(on: boolean): ArrayBuffer {
-  return new Uint8Array([0x06, on ? 1 : 0]).buffer;
-}
-
-export function encodeAutoRun(): ArrayBuffer {
-  return new Uint8Array([0x07]).buffer;
-}
-
-export function encodeFocusLost(): ArrayBuffer {
-  return new Uint8Array([0x08]).buffer;
-}
 
 /** Reads a frame of the server; null for one this page does not know. */
 export function decode(buffer: ArrayBuffer): ServerFrame | null {

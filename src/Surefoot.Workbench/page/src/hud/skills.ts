@@ -1,0 +1,52 @@
+// The sliders: run skill, jump skill, burden.
+
+import type { Settings, Welcome } from "../net/wire";
+import { element } from "./elements";
+
+export class Skills {
+  private readonly run = element<HTMLInputElement>("run-skill");
+  private readonly jump = element<HTMLInputElement>("jump-skill");
+  private readonly burden = element<HTMLInputElement>("burden");
+  private capacity = 1;
+
+  /** @param onChange the person has moved a slider */
+  constructor(onChange: (settings: Settings) => void) {
+    for (const slider of [this.run, this.jump, this.burden]) {
+      slider.addEventListener("input", () => {
+        this.showNumbers();
+        onChange(this.settings);
+      });
+      // Keys belong to the player again as soon as the slider is let go.
+      slider.addEventListener("change", () => slider.blur());
+    }
+  }
+
+  /** What the sliders stand at. */
+  get settings(): Settings {
+    return { runSkill: Number(this.run.value), jumpSkill: Number(this.jump.value), burden: Number(this.burden.value) };
+  }
+
+  /** How far the sliders go. */
+  welcome(welcome: Welcome): void {
+    this.capacity = Math.max(1, welcome.burdenCapacity);
+    this.run.max = this.jump.max = String(welcome.maxSkill);
+    this.burden.max = String(welcome.maxBurden);
+  }
+
+  show(settings: Settings): void {
+    this.run.value = String(settings.runSkill);
+    this.jump.value = String(settings.jumpSkill);
+    this.burden.value = String(settings.burden);
+    this.showNumbers();
+  }
+
+  private showNumbers(): void {
+    output(this.run, this.run.value);
+    output(this.jump, this.jump.value);
+    output(this.burden, `${this.burden.value} (${Math.round((100 * Number(this.burden.value)) / this.capacity)} %)`);
+  }
+}
+
+function output(slider: HTMLInputElement, text: string): void {
+  slider.parentElement!.querySelector("output")!.value = text;
+}

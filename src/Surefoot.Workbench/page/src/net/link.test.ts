@@ -1,0 +1,44 @@
+import { describe, expect, it } from "vitest";
+import { readLink, toggleDefaults, writeLink } from "./link";
+
+const limits = { maxSkill: 1000, maxBurden: 45_000 };
+
+describe("a link", () => {
+  it("says skills, place and toggles, and is read as it was written", () => {
+    const toggles = { ...toggleDefaults, triangles: true, shapes: true, mouse: false };
+    const written = writeLink({ run: 800, jump: 0, burden: 7000, at: "0xA9B50032,156,24.01,20,90", toggles });
+    expect(written).toBe("?run=800&jump=0&burden=7000&at=0xA9B50032,156,24.01,20,90&on=triangles,shapes&off=mouse");
+    expect(readLink(written, limits)).toEqual({
+      link: { run: 800, jump: 0, burden: 7000, at: "0xA9B50032,156,24.01,20,90", toggles },
+      ignored: [],
+    });
+    const named = writeLink({ at: "The foot of the mountain & 5 %", toggles: { ...toggleDefaults } });
+    expect(readLink(named, limits).link.at).toBe("The foot of the mountain & 5 %");
+  });
+
+  it("that says nothing is empty", () => {
+    expect(writeLink({ toggles: { ...toggleDefaults } })).toBe("");
+    expect(readLink("", limits)).toEqual({ link: { toggles: toggleDefaults }, ignored: [] });
+  });
+
+  it("with impossible values keeps the others and says each that it leaves out", () => {
+    const { link, ignored } = readLink("?run=1001&jump=-5&burden=1e3&on=triangles,walls&colour=red&run=700", limits);
+    expect(link).toEqual({ run: 700, toggles: { ...toggleDefaults, triangles: true } });
+    expect(ignored).toEqual([
+      "run=1001 (a whole number from 0 to 1000)",
+      "jump=-5 (a whole number from 0 to 1000)",
+      "burden=1e3 (a whole number from 0 to 45000)",
+      "on=walls (triangles, shapes, mouse, panels)",
+      "colour=red (run, jump, burden, at, on, off)",
+    ]);
+  });
+
+  it("however long or odd is cut to what a line holds", () => {
+    for (const query of [`?run=${"9".repeat(5000)}`, "?on=__proto__", "?on=constructor", "?%ff=%00", `?${"x".repeat(9000)}`]) {
+      const { link, ignored } = readLink(query, limits);
+      expect(link).toEqual({ toggles: toggleDefaults });
+      expect(ignored).toHaveLength(1);
+      expect(ignored[0].length).toBeLessThan(130);
+    }
+  });
+});

@@ -1,0 +1,74 @@
+// The address of the page: what it says of skills, place and what is shown. Whoever opens it finds the same.
+
+/** What can be on or off, and what it is at first. */
+export const toggleDefaults = { triangles: false, shapes: false, mouse: true, panels: true } as const;
+
+export type Toggle = keyof typeof toggleDefaults;
+
+export type Toggles = Record<Toggle, boolean>;
+
+/** What a link asks for. */
+export interface Link {
+  /** Skills and burden that differ from the server's own. */
+  run?: number;
+  jump?: number;
+  burden?: number;
+  /** A place's name, or a cell and metres. */
+  at?: string;
+  toggles: Toggles;
+}
+
+/** The highest that a server allows. */
+export interface Limits {
+  maxSkill: number;
+  maxBurden: number;
+}
+
+const longestShown = 60;
+
+/** Reads an address's query. What is impossible is left out of the link, and said: one reason each. */
+export function readLink(query: string, limits: Limits): { link: Link; ignored: string[] } {
+  const link: Link = { toggles: { ...toggleDefaults } };
+  const ignored: string[] = [];
+  const number = (name: "run" | "jump" | "burden", text: string, most: number): void => {
+    if (/^\d{1,9}$/.test(text) && Number(text) <= most) link[name] = Number(text);
+    else ignored.push(`${shown(name, text)} (a whole number from 0 to ${most})`);
+  };
+  const toggle = (text: string, on: boolean): void => {
+    for (const name of text.split(",")) {
+      if (Object.hasOwn(toggleDefaults, name)) link.toggles[name as Toggle] = on;
+      else ignored.push(`${shown(on ? "on" : "off", name)} (${Object.keys(toggleDefaults).join(", ")})`);
+    }
+  };
+  for (const [name, text] of new URLSearchParams(query)) {
+    if (name === "run" || name === "jump") number(name, text, limits.maxSkill);
+    else if (name === "burden") number(name, text, limits.maxBurden);
+    else if (name === "on") toggle(text, true);
+    else if (name === "off") toggle(text, false);
+    else if (name === "at") link.at = text;
+    else ignored.push(`${shown(name, text)} (run, jump, burden, at, on, off)`);
+  }
+  return { link, ignored };
+}
+
+/** The query that says this, empty when there is nothing to say. */
+export function writeLink(link: Link): string {
+  const parts: string[] = [];
+  for (const name of ["run", "jump", "burden"] as const) if (link[name] !== undefined) parts.push(`${name}=${link[name]}`);
+  if (link.at !== undefined) parts.push(`at=${link.at.replace(/[^\w,.-]/g, encodeURIComponent)}`);
+  const changed = (Object.keys(toggleDefaults) as Toggle[]).filter((name) => link.toggles[name] !== toggleDefaults[name]);
+  for (const [key, on] of [
+    ["on", true],
+    ["off", false],
+  ] as const) {
+    const names = changed.filter((name) => link.toggles[name] === on);
+    if (names.length > 0) parts.push(`${key}=${names.join(",")}`);
+  }
+  return parts.length > 0 ? `?${parts.join("&")}` : "";
+}
+
+/** A part of a link as it is shown to a person, whatever is in it. */
+export function shown(name: string, text: string): string {
+  const whole = text === "" ? name : `${name}=${text}`;
+  return whole.length > longestShown ? `${whole.slice(0, longestShown)}…` : whole;
+}
