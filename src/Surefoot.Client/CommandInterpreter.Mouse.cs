@@ -33,6 +33,7 @@ internal sealed partial class CommandInterpreter
     {
         if (!UsesMouse || on == IsLooking || (on && !IsEnabled)) return;
         IsLooking = on;
+        if (!IsEnabled) return;
         MovePlayer(new Move(LookChanges, on, ByMouse: true), now);
         if (!on) ApplyCurrentMovement(now);
         sender.SendMoveToState(now);

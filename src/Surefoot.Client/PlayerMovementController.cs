@@ -73,7 +73,7 @@ public sealed class PlayerMovementController
         MovementKeys changed = keys ^ held;
         held = keys;
         if (changed != MovementKeys.None) HandleKeys(changed, now);
-        if (commands.IsLooking && now - lastInput > RestTime)
+        if (commands.IsLooking && commands.IsEnabled && now - lastInput > RestTime)
         {
             commands.RestMouse(now);
             TurnByMouse(0f, now);

@@ -1,6 +1,5 @@
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.Tests.Motion;
-using Surefoot.Physics.World;
 using Surefoot.Protocol.Messages;
 
 namespace Surefoot.Client.Tests;
@@ -35,32 +34,6 @@ public class ControlTests
         Assert.False(f.Controller.IsControlledByServer);
         Assert.Equal((MotionCommand.Ready, MotionCommand.TurnRight), (f.Forward.Command, f.Turn.Command));
         Assert.False(f.Controller.AutoRun);
-        Assert.Equal(sent, f.Sent.Moves.Count);
-    }
-
-    [Fact]
-    [Behaviour("controller.server.move-to-is-waited-for", "spec/09b, 9.6; CommandInterpreter::UseTime @0x006B3BF0")]
-    public void While_a_server_has_the_body_go_somewhere_held_keys_wait()
-    {
-        WalkFixture f = new(new CharacterStats(300, 300));
-        f.Hold(MovementKeys.Forward, 30);
-        Position place = f.Body.Position;
-        place.Frame.Origin.Y -= 5;
-        f.Player.Movement.MoveToPosition(place, new MovementParameters());
-        f.Player.Controller.LoseControlToServer();
-        int sent = f.Sent.Moves.Count, idle = 0;
-        for (int i = 0; i < 300 && f.Player.Movement.IsMovingTo; i++)
-        {
-            f.Hold(MovementKeys.Forward, 1);
-            if (f.Player.Movement.IsMovingTo) Assert.True(f.Player.Controller.IsControlledByServer);
-            if (f.Player.Movement is { IsMovingTo: true, MotionsPending: false }) idle++;
-        }
-
-        Assert.True(idle > 10);
-        Assert.InRange(f.Origin.Y - place.Frame.Origin.Y, 0, 0.6 + 0.48);
-        f.Hold(MovementKeys.Forward, 5);
-        Assert.False(f.Player.Controller.IsControlledByServer);
-        Assert.Equal(MotionCommand.RunForward, f.Player.Movement.Interpreter.Interpreted.ForwardCommand);
         Assert.Equal(sent, f.Sent.Moves.Count);
     }
 
@@ -246,6 +219,29 @@ public class ControlTests
         f.Press(MovementKeys.Forward);
         Assert.Equal(MotionCommand.RunForward, f.Forward.Command);
         Assert.Equal(told + 1, f.Sent.Positions.Count);
+    }
+
+    [Fact]
+    [Behaviour("controller.disabled.pointer-is-silent", "spec/09b, 9.6 and 9.7; CommandInterpreter::Disable @0x006B3250")]
+    public void A_controller_disabled_while_the_pointer_turns_sends_nothing_also_when_the_button_comes_up()
+    {
+        KeyFixture f = new();
+        f.Press(MovementKeys.Forward);
+        f.Controller.UseMouseTurning(true, f.Now);
+        f.Controller.SetMouseButtons(left: false, right: true, f.Now);
+        for (int i = 0; i < 10; i++) f.Controller.MoveMouse(100, f.Now);
+        f.Controller.Disable(f.Now);
+        int sent = f.Sent.Moves.Count;
+        f.Press(MovementKeys.None, 90);
+        f.Controller.MoveMouse(100, f.Now);
+        f.Controller.SetMouseButtons(left: true, right: false, f.Now);
+        f.Press(MovementKeys.None, 30);
+        Assert.Equal(sent, f.Sent.Moves.Count);
+        Assert.Equal(MotionCommand.None, f.Turn.Command);
+
+        f.Controller.Enable();
+        f.Controller.SetMouseButtons(left: false, right: true, f.Now);
+        Assert.Equal(sent + 1, f.Sent.Moves.Count);
     }
 
     [Fact]

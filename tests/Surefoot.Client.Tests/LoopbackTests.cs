@@ -42,6 +42,25 @@ public class LoopbackTests
     }
 
     [Fact]
+    [Behaviour("loopback.motion-begun-before-the-answer-keeps-its-rate", "spec/08, 5.7 and 4.3 (own echo); spec/01, 4.1")]
+    public void A_motion_begun_while_a_new_skill_is_on_its_way_keeps_the_old_rate_until_it_is_begun_anew()
+    {
+        (KeyFixture f, LoopbackServer server) = Connected(new CharacterStats(300, 300), latency: 0.5);
+        server.SetStats(new CharacterStats(800, 300), f.Now);
+        f.Press(MovementKeys.Forward);
+        f.Now += 1;
+        f.Hear();
+        Assert.Equal(0, server.PendingCount);
+        f.Press(MovementKeys.Forward, 30);
+        Assert.Equal((MotionCommand.RunForward, 2.6500001f), f.Forward);
+        Assert.False(f.Controller.IsControlledByServer);
+
+        f.Press(MovementKeys.None);
+        f.Press(MovementKeys.Forward);
+        Assert.Equal((MotionCommand.RunForward, 4.5f), f.Forward);
+    }
+
+    [Fact]
     [Behaviour("loopback.new-rate-takes-control-and-held-keys-take-it-back", "spec/08, 5.7 (run rate changed) and 5.6")]
     public void A_new_rate_takes_control_and_held_keys_take_it_back_untold()
     {

@@ -15,7 +15,7 @@ internal sealed class PlayerMessages(
     CommandTable commands)
     : IMessageReceiver
 {
-    private readonly InterpretedMotionState state = new();
+    private readonly ServerOrders orders = new(commands);
 
     /// <summary>Messages that could not be read.</summary>
     public long UnreadableCount { get; private set; }
@@ -64,15 +64,8 @@ internal sealed class PlayerMessages(
     /// <summary>Does what the server ordered. The keys wait until it is done.</summary>
     private void Obey(in MovementData order)
     {
-        if (order.Type != MovementType.InterpretedMotion) return;
-        if (!WireForms.TryRead(order.State, commands, state))
-        {
-            UnreadableCount++;
-            return;
-        }
-
-        movement.ApplyUpdate(state, autonomous: false, order.StandingLongJump);
-        controller.LoseControlToServer();
+        if (orders.TryObey(movement, order, autonomous: false)) controller.LoseControlToServer();
+        else UnreadableCount++;
     }
 
     /// <summary>The numbers act when they are asked for next; only running out of stamina acts at once.</summary>

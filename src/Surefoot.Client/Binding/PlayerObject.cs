@@ -1,3 +1,4 @@
+using Surefoot.Physics.Bodies;
 using Surefoot.Protocol.Messages;
 
 namespace Surefoot.Client;
@@ -5,23 +6,19 @@ namespace Surefoot.Client;
 /// <summary>The local player's object as its server knows it: the id, and the stamps of what was heard of it last.</summary>
 internal sealed class PlayerObject(uint id, ObjectStamps stamps)
 {
-    private ObjectStamps stamps = stamps;
+    private MessageStamps stamps = WireForms.Of(stamps);
 
     /// <summary>Id of the object.</summary>
     public uint Id => id;
 
     /// <summary>The stamps that go with what is told about its movement.</summary>
-    public MovementStamps Sent => new(stamps.Instance, stamps.ServerControlledMove, stamps.Teleport, stamps.ForcePosition);
+    public MovementStamps Sent => new(
+        stamps[ObjectStamp.Instance], stamps[ObjectStamp.ServerControlledMove], stamps[ObjectStamp.Teleport],
+        stamps[ObjectStamp.ForcePosition]);
 
     /// <summary>May a motion act? Not one for another life of the object, nor a repeated or late one. What is newer is stored all the
     /// same.</summary>
     /// <remarks>Retail: CPhysics::SetObjectMovement @0x00509690; specification 08, 4.3 and 09, 5.4.</remarks>
-    public bool Accepts(in UpdateMotion motion)
-    {
-        if (motion.Instance != stamps.Instance || !ObjectStamps.IsNewer(stamps.Movement, motion.MovementStamp)) return false;
-        stamps = stamps with { Movement = motion.MovementStamp };
-        if (ObjectStamps.IsNewer(motion.ServerControlledMove, stamps.ServerControlledMove)) return false;
-        stamps = stamps with { ServerControlledMove = motion.ServerControlledMove };
-        return true;
-    }
+    public bool Accepts(in UpdateMotion motion) =>
+        stamps.AgeOf(motion.Instance) == InstanceAge.Current && stamps.TryAcceptMotion(motion.MovementStamp, motion.ServerControlledMove);
 }

@@ -1,3 +1,4 @@
+using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.World;
 using Surefoot.Protocol.Messages;
@@ -8,8 +9,24 @@ namespace Surefoot.Client;
 /// <summary>States and places of the physics in the form in which they travel, and back.</summary>
 internal static class WireForms
 {
+    /// <summary>
+    /// The greatest factor on a speed that is believed; servers send single digits. A sweep goes in steps of a body's radius, so that a
+    /// quantum at a millionfold speed would take seconds.
+    /// </summary>
+    private const float MaxSpeed = 1000;
+
+    /// <summary>A factor on a speed that can be meant.</summary>
+    public static bool IsSpeed(float speed) => Math.Abs(speed) <= MaxSpeed;
+
     /// <summary>A place.</summary>
     public static WirePosition Of(in Position position) => new(position.CellId, position.Frame.Origin, position.Frame.Rotation);
+
+    /// <summary>The stamps of an object.</summary>
+    public static MessageStamps Of(in ObjectStamps stamps) => new(
+    [
+        stamps.Position, stamps.Movement, stamps.State, stamps.Vector, stamps.Teleport, stamps.ServerControlledMove, stamps.ForcePosition,
+        stamps.ObjDesc, stamps.Instance,
+    ]);
 
     /// <summary>What is asked of a body, with the actions that wait, of which the wire takes 31.</summary>
     public static WireRawMotion Of(RawMotionState state)
@@ -32,14 +49,14 @@ internal static class WireForms
     /// <param name="motion">What came.</param>
     /// <param name="commands">The numbering of the server's commands.</param>
     /// <param name="state">Becomes that state; whatever it was before.</param>
-    /// <returns>False when a command has no name or a speed is not finite.</returns>
+    /// <returns>False when a command has no name, or a speed is not finite or out of all bounds.</returns>
     public static bool TryRead(in WireInterpretedMotion motion, CommandTable commands, InterpretedMotionState state)
     {
         state.Reset();
         if (!TryName(motion.Style, out MotionCommand style) || !TryName(motion.ForwardCommand, out MotionCommand forward) ||
             !TryNameOrNone(motion.SidestepCommand, out MotionCommand sidestep) ||
             !TryNameOrNone(motion.TurnCommand, out MotionCommand turn) ||
-            !float.IsFinite(motion.ForwardSpeed) || !float.IsFinite(motion.SidestepSpeed) || !float.IsFinite(motion.TurnSpeed))
+            !IsSpeed(motion.ForwardSpeed) || !IsSpeed(motion.SidestepSpeed) || !IsSpeed(motion.TurnSpeed))
             return false;
 
         state.CurrentStyle = style;
@@ -48,7 +65,7 @@ internal static class WireForms
         (state.TurnCommand, state.TurnSpeed) = (turn, motion.TurnSpeed);
         foreach (WireAction action in motion.Actions.Span)
         {
-            if (!TryName(action.Command, out MotionCommand command) || !float.IsFinite(action.Speed)) return false;
+            if (!TryName(action.Command, out MotionCommand command) || !IsSpeed(action.Speed)) return false;
             state.AddAction(new Physics.Motion.MotionAction(command, action.Speed, action.Stamp, action.Autonomous));
         }
 
@@ -67,5 +84,36 @@ internal static class WireForms
             command = (MotionCommand)id;
             return found;
         }
+    }
+
+    /// <summary>Reads how to go somewhere.</summary>
+    /// <returns>False when a number is not finite, or the speed is out of all bounds.</returns>
+    public static bool TryRead(in MoveToParams way, out MovementParameters parameters)
+    {
+        parameters = new MovementParameters
+        {
+            Flags = (MovementFlags)way.Bits,
+            DistanceToObject = way.DistanceToObject,
+            MinDistance = way.MinDistance,
+            FailDistance = way.FailDistance,
+            Speed = way.Speed,
+            WalkRunThreshold = way.WalkRunThreshold,
+            DesiredHeading = way.DesiredHeading,
+        };
+        return float.IsFinite(way.DistanceToObject) && float.IsFinite(way.MinDistance) && float.IsFinite(way.FailDistance) &&
+            float.IsFinite(way.WalkRunThreshold) && IsSpeed(way.Speed) && float.IsFinite(way.DesiredHeading);
+    }
+
+    /// <summary>Reads how to turn: of the distances nothing is told.</summary>
+    /// <returns>False when a number is not finite, or the speed is out of all bounds.</returns>
+    public static bool TryReadTurn(in MoveToParams turn, out MovementParameters parameters)
+    {
+        parameters = new MovementParameters
+        {
+            Flags = (MovementFlags)turn.Bits,
+            Speed = turn.Speed,
+            DesiredHeading = turn.DesiredHeading,
+        };
+        return IsSpeed(turn.Speed) && float.IsFinite(turn.DesiredHeading);
     }
 }

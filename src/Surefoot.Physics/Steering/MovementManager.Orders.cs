@@ -68,13 +68,15 @@ public sealed partial class MovementManager
     /// <param name="autonomous">The body's own player asked for it.</param>
     /// <param name="standingLongJump">The body charges a standing long jump.</param>
     /// <param name="stickTo">Id of the object to stick to, 0 for none.</param>
+    /// <param name="style">The style that the message has beside the state; null for that of the state.</param>
     /// <exception cref="ArgumentException">A speed is NaN or infinite; nothing has changed.</exception>
     /// <remarks>Retail: MovementManager::unpack_movement @0x00524440, type 0.</remarks>
-    public void ApplyUpdate(InterpretedMotionState state, bool autonomous, bool standingLongJump = false, uint stickTo = 0)
+    public void ApplyUpdate(
+        InterpretedMotionState state, bool autonomous, bool standingLongJump = false, uint stickTo = 0, MotionCommand? style = null)
     {
         ArgumentNullException.ThrowIfNull(state);
         MotionInterpreter.ThrowIfNotFinite(state);
-        if (!TryBeginUpdate(state.CurrentStyle, autonomous)) return;
+        if (!TryBeginUpdate(style ?? state.CurrentStyle, autonomous)) return;
         Interpreter.MoveToInterpretedState(state);
         if (stickTo != 0) steered?.StickToObject(stickTo);
         Interpreter.StandingLongJump = standingLongJump;
@@ -151,7 +153,13 @@ public sealed partial class MovementManager
         MakeMoveToManager().TurnToHeading(p);
     }
 
-    /// <summary>What every movement message begins with: a move-to and sticking end, and the style is taken.</summary>
+    /// <summary>Does what an UpdateMotion of a kind that there is not says: of all of it only the style acts.</summary>
+    /// <param name="style">The style in the message.</param>
+    /// <param name="autonomous">The body's own player asked for it.</param>
+    public void ApplyStyle(MotionCommand style, bool autonomous) => TryBeginUpdate(style, autonomous);
+
+    /// <summary>What every movement message begins with: a move-to and sticking end, and the style is taken. The style that a message leaves
+    /// out is <see cref="MotionCommand.None"/>; it stays as it is then (08, section 12, 1).</summary>
     /// <returns>False without an interpreter: such a body ignores the message.</returns>
     private bool TryBeginUpdate(MotionCommand style, bool autonomous)
     {
@@ -159,7 +167,7 @@ public sealed partial class MovementManager
         if (interpreter is null) return false;
         body.CancelMoveTo();
         body.Unstick();
-        if (style != interpreter.Interpreted.CurrentStyle)
+        if (style != MotionCommand.None && style != interpreter.Interpreted.CurrentStyle)
             interpreter.PerformMovement(MovementKind.RawCommand, style, new MovementParameters());
         return true;
     }
