@@ -50,4 +50,73 @@ public class FrameTests
 
     private static void AssertNear(Vector3 expected, Vector3 actual) =>
         Assert.True(Vector3.Distance(expected, actual) < 1e-6f, $"{actual}, expected {expected}");
+
+    [Fact]
+    [Behaviour("geometry.frame.rotation-stores", "spec/03, 3.1 and 4.1.4: what is handed to set_rotate are floats")]
+    public void The_sines_and_the_product_of_a_turn_are_stored_before_they_are_made_a_unit()
+    {
+        Quaternion before = new(0.1825741858f, 0.3651483717f, 0.5477225575f, 0.7302967433f);
+        int told = 0;
+        for (int i = 1; i <= 40; i++)
+        {
+            Vector3 turn = new(0.05f * i, -0.03f * i, 0.07f * i);
+            Frame local = new(Vector3.Zero, before), global = local;
+            local.RotateLocal(turn);
+            global.RotateGlobal(turn);
+            Assert.Equal(Product(before, Turn(turn), store: true), local.Rotation);
+            Assert.Equal(Product(Turn(turn), before, store: true), global.Rotation);
+            Assert.Equal(local.Rotation, Frame.Combine(new Frame(Vector3.Zero, before), new Frame(Vector3.Zero, Turn(turn))).Rotation);
+            if (Product(before, Turn(turn), store: false) != local.Rotation) told++;
+        }
+
+        Assert.True(told > 5, "turns whose last bit hangs on the store of the product");
+
+        // The half turn about a vector, as floats.
+        static Quaternion Turn(Vector3 v)
+        {
+            double length = Math.Sqrt(((double)v.X * v.X) + ((double)v.Y * v.Y) + ((double)v.Z * v.Z));
+            double factor = (float)(1 / length) * Math.Sin(length / 2);
+            return new((float)(v.X * factor), (float)(v.Y * factor), (float)(v.Z * factor), (float)Math.Cos(length / 2));
+        }
+
+        static Quaternion Product(Quaternion a, Quaternion b, bool store)
+        {
+            double Stored(double value) => store ? (float)value : value;
+            double w = Stored(((double)a.W * b.W) - ((double)a.X * b.X) - ((double)a.Y * b.Y) - ((double)a.Z * b.Z));
+            double x = Stored(((double)a.W * b.X) + ((double)a.X * b.W) + ((double)a.Y * b.Z) - ((double)a.Z * b.Y));
+            double y = Stored(((double)a.W * b.Y) + ((double)a.Y * b.W) + ((double)a.Z * b.X) - ((double)a.X * b.Z));
+            double z = Stored(((double)a.W * b.Z) + ((double)a.Z * b.W) + ((double)a.X * b.Y) - ((double)a.Y * b.X));
+            double inverse = 1 / Math.Sqrt((w * w) + (x * x) + (y * y) + (z * z));
+            return new((float)(x * inverse), (float)(y * inverse), (float)(z * inverse), (float)(w * inverse));
+        }
+    }
+
+    [Fact]
+    [Behaviour("geometry.frame.heading-stores", "spec/03, 3.1 and 4.1.4, Frame::set_vector_heading @0x00535DB0: the two angles are handed on as floats")]
+    public void The_angles_of_a_heading_are_stored_before_their_sines_are_taken()
+    {
+        int told = 0;
+        for (int i = 0; i < 90; i++)
+        {
+            double radians = ((i * 4) + 1) * Math.PI / 180;
+            Vector3 direction = new((float)Math.Sin(radians), (float)Math.Cos(radians), 0);
+            Frame frame = Frame.Identity;
+            frame.SetVectorHeading(direction);
+            Assert.Equal(Level(direction, store: true), frame.Rotation);
+            if (frame.Rotation != Level(direction, store: false)) told++;
+        }
+
+        Assert.True(told > 5, "headings whose last bit hangs on the store of the angle");
+
+        // A level direction turns about z alone.
+        static Quaternion Level(Vector3 direction, bool store)
+        {
+            double length = Math.Sqrt(((double)direction.X * direction.X) + ((double)direction.Y * direction.Y));
+            float x = (float)(direction.X / length), y = (float)(direction.Y / length);
+            double yaw = -((450 - (Math.Atan2(y, x) * 180 / Math.PI)) % 360) * Math.PI / 180;
+            if (store) yaw = (float)yaw;
+            double sine = (float)Math.Sin(yaw / 2), cosine = (float)Math.Cos(yaw / 2), inverse = 1 / Math.Sqrt((sine * sine) + (cosine * cosine));
+            return new(0, 0, (float)(sine * inverse), (float)(cosine * inverse));
+        }
+    }
 }
