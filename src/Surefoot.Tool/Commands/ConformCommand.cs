@@ -1,13 +1,15 @@
 using System.CommandLine;
+using System.Globalization;
 using System.Text.Json;
 using Spectre.Console;
 using Surefoot.Tool.Conformance;
-using Surefoot.Tool.Conformance.Steering;
 using Surefoot.Tool.Output;
 
 namespace Surefoot.Tool.Commands;
 
-/// <summary><c>surefoot conform</c>: replays recordings and says how much comes out the same; each file tells by itself what it is.</summary>
+/// <summary>
+/// <c>surefoot conform</c>: replays recordings and says how much comes out the same; each file tells by itself what it is.
+/// </summary>
 internal static class ConformCommand
 {
     private static readonly JsonSerializerOptions Json = new() { WriteIndented = true, PropertyNamingPolicy = JsonNamingPolicy.CamelCase };
@@ -16,110 +18,95 @@ internal static class ConformCommand
     {
         Option<DirectoryInfo?> dats = new("--dats")
         {
-            Description = "Folder with the dat files of the world that walks, sweeps and placements were recorded in; others need none.",
+            Description = "Folder with the dat files of the world that walks, sweeps and placements were recorded in. " +
+                "Runs of managers and sessions need none.",
         };
-        Argument<FileInfo[]> vectors = new("VECTORS")
+        Argument<string[]> vectors = new("RECORDINGS")
         {
-            Description = "Files of recorded walks, sweeps, placements and runs of managers, one JSON object a line, gzipped or not.",
+            Description = "Files of recordings, one JSON object a line, gzipped or not, or folders of them (*.jsonl, *.jsonl.gz). " +
+                "What a file records it tells by itself.",
             Arity = ArgumentArity.OneOrMore,
         };
         Option<bool> json = new("--json") { Description = "Print one JSON object." };
-        Option<int> worst = new("--worst") { Description = "How many first divergences to print.", DefaultValueFactory = _ => 5 };
-        Option<string?> scene = new("--scene") { Description = "Only the scenes whose name begins like this." };
+        Option<int> worst = new("--worst")
+        {
+            Description = "How many divergences to print, those that count first.",
+            DefaultValueFactory = _ => 5,
+        };
+        Option<string?> scene = new("--scene") { Description = "Only the cases whose scene, tag or session begins like this." };
+        Option<double?> require = new("--require")
+        {
+            HelpName = "PERCENT",
+            Description = "How much of each family has to come out the same, 0 to 100; less is exit code 1. " +
+                $"By default {Verdict.Defaults}.",
+        };
+        require.Validators.Add(result =>
+        {
+            if (!result.Tokens.All(static word => IsPercentage(word.Value)))
+                result.AddError("--require takes a percentage from 0 to 100, as in --require 99.5");
+        });
         Command command = new(
             "conform",
-            "Replays recordings and prints how much comes out the same: walks free-running and re-seated before each step, runs of the " +
-            "managers that move other bodies from their start.\n\nExample:\n" +
-            "  surefoot conform --dats tests/data/worlds/first tests/data/vectors/walk-11.jsonl.gz --worst 10\n" +
-            "  surefoot conform tests/data/remote-vectors/move-to-1.jsonl.gz")
+            "Replays recordings and prints how much comes out the same: walks free-running and re-seated before each step, sweeps, " +
+            "placements and walks of a peer, runs of the managers that move other bodies, and sessions between a client and a server. " +
+            "What hangs on the last bit of a float, or differs for a known reason, is counted apart.\n\nExample:\n" +
+            "  surefoot conform --dats tests/data/worlds/first tests/data/vectors --worst 10\n" +
+            "  surefoot conform tests/data/remote-vectors tests/data/wire-captures --require 100")
         {
-            dats, vectors, json, worst, scene,
+            dats, vectors, json, worst, scene, require,
         };
         command.SetAction(parsed =>
         {
-            List<WalkCase> cases = [];
-            List<string> oracles = [];
-            ConformanceReport report = new();
-            foreach (FileInfo file in parsed.GetRequiredValue(vectors))
-            {
-                if (OracleReplay.IsDepartureList(file.FullName)) continue;
-                if (ManagerVectors.Reads(file.FullName)) AddManagers(file.FullName, report, parsed.GetValue(json));
-                else if (OracleReplay.Reads(file.FullName)) oracles.Add(file.FullName);
-                else cases.AddRange(WalkCase.ReadAll(file.FullName));
-            }
+            bool quiet = parsed.GetValue(json);
+            SceneFilter scenes = new(parsed.GetValue(scene));
+            using ConformanceRun run = new(parsed.GetValue(dats), scenes);
+            foreach (string path in ConformanceRun.Files(parsed.GetRequiredValue(vectors)))
+                ProgressBar.Run(Path.GetFileName(path), quiet, progress => run.Add(path, progress));
+            scenes.RequireAny();
 
-            if (parsed.GetValue(scene) is { } prefix) cases.RemoveAll(c => !c.Scene.StartsWith(prefix, StringComparison.OrdinalIgnoreCase));
-            if (cases.Count > 0 || oracles.Count > 0)
-            {
-                DirectoryInfo folder = parsed.GetValue(dats) ??
-                    throw new UsageException("Walks, sweeps and placements need the world they were recorded in: --dats DIR");
-                using WholeWorld world = WholeWorld.Open(folder);
-                CommonOptions.SayLeftOut(world.World.LeftOut);
-                AddWalks(world, cases, report, parsed.GetValue(json));
-                if (oracles.Count > 0)
-                {
-                    OracleReplay oracle = OracleReplay.Over(world.Cache.Source, world.World.Landblocks.Select(block => block.Id));
-                    foreach (string path in oracles) oracle.Score(path, report);
-                }
-            }
-
-            if (parsed.GetValue(json)) Console.Out.WriteLine(JsonSerializer.Serialize(report.ToJson(), Json));
-            else Print(report, parsed.GetRequiredValue(worst));
-            return ExitCode.Done;
+            double? required = parsed.GetValue(require);
+            if (quiet) Console.Out.WriteLine(JsonSerializer.Serialize(run.Report.ToJson(required), Json));
+            else Print(run.Report, required, parsed.GetRequiredValue(worst));
+            List<Verdict> below = run.Report.Judge(required).FindAll(verdict => !verdict.IsMet);
+            foreach (Verdict verdict in below) CommonOptions.Say(verdict.ToString());
+            return below.Count == 0 ? ExitCode.Done : ExitCode.Failed;
         });
         return command;
     }
 
-    private static void AddManagers(string path, ConformanceReport report, bool quiet)
-    {
-        int cases = VectorFile.Read(path, static line => line.Length).Count();
-        ProgressBar.Run(Path.GetFileName(path), quiet, progress =>
-        {
-            int done = 0;
-            foreach (ManagerResult result in ManagerVectors.Run(path))
-            {
-                report.Add(result);
-                progress(++done, cases);
-            }
-        });
-    }
+    private static bool IsPercentage(string word) =>
+        double.TryParse(word, CultureInfo.InvariantCulture, out double percent) && percent is >= 0 and <= 100;
 
-    private static void AddWalks(WholeWorld world, List<WalkCase> cases, ConformanceReport report, bool quiet)
+    private static void Print(ConformanceReport report, double? required, int worst)
     {
-        WalkReplay replay = new(world.World, world.Cache.GetSetup);
-        ProgressBar.Run("walks", quiet, progress =>
+        if (report.Reseated.Cases > 0) PrintScenes(report);
+        Table table = NewTable(["family", "counted", "apart"], "equal", "of", "share", "required");
+        foreach (Verdict verdict in report.Judge(required))
         {
-            for (int i = 0; i < cases.Count; i++)
-            {
-                report.Add(cases[i], replay);
-                progress(i + 1, cases.Count);
-            }
-        });
-    }
-
-    private static void Print(ConformanceReport report, int worst)
-    {
-        Table table = new() { Border = TableBorder.Simple };
-        foreach (string heading in (string[])["scene", "cases", "steps", "re-seated equal", "free-running cases equal"])
-            table.AddColumn(new TableColumn(heading) { Alignment = heading == "scene" ? Justify.Left : Justify.Right });
-        foreach ((string name, SceneScore reseated, SceneScore free) in report.Scenes)
-            table.AddRow(name.EscapeMarkup(), $"{reseated.Cases}", $"{reseated.Steps}", Share(reseated.StepsEqual, reseated.Steps), Share(free.CasesEqual, free.Cases));
-        table.AddRow("all", $"{report.Reseated.Cases}", $"{report.Reseated.Steps}", Share(report.Reseated.StepsEqual, report.Reseated.Steps), Share(report.FreeRunning.CasesEqual, report.FreeRunning.Cases));
-        if (report.Reseated.Cases > 0) Terminal.Write(table);
-        foreach ((string family, OracleScore score) in report.Oracle)
-            Console.Out.WriteLine($"{family}: {score.ResultsEqual} of {score.Results} results equal ({Share(score.ResultsEqual, score.Results)}); of {score.Listed} listed as departures {score.ListedDiffering} differ{Reasons(score)}");
-        foreach ((string family, ManagerScore score) in report.Managers)
-        {
-            Console.Out.WriteLine(
-                $"{family}: {score.CasesEqual} of {score.Cases} runs equal ({Share(score.StepsEqual, score.Steps)} of {score.Steps} steps); " +
-                $"of {score.TightCases} that hang on a last bit {score.TightCasesEqual} equal");
+            table.AddRow(
+                verdict.Family.EscapeMarkup(), verdict.Measure, verdict.Apart.EscapeMarkup(), $"{verdict.Equal}", $"{verdict.Compared}",
+                verdict.Share, FormattableString.Invariant($"{verdict.Required} %"));
         }
 
-        foreach (Divergence d in report.Divergences.Take(worst)) Console.Out.WriteLine($"{d.CaseId} {d.Scene} step {d.Step}: {d.Difference}: {d.Detail}");
+        Terminal.Write(table);
+        foreach (Divergence divergence in report.Divergences.OrderBy(one => one.Reason is not null).Take(worst))
+            Console.Out.WriteLine(divergence);
+        if (report.Divergences.Count > worst) Console.Out.WriteLine($"... {report.Divergences.Count - worst} more; --worst N prints N");
     }
 
-    private static string Reasons(OracleScore score) =>
-        score.Explained.Count == 0 ? "" : $"; differing for a known reason: {string.Join(", ", score.Explained.Select(e => $"{e.Key} {e.Value}"))}";
+    private static void PrintScenes(ConformanceReport report)
+    {
+        Table table = NewTable(["scene"], "walks", "steps", "re-seated steps equal", "free-running walks equal");
+        foreach ((string name, SceneScore reseated, SceneScore free) in report.Scenes)
+            table.AddRow(name.EscapeMarkup(), $"{reseated.Cases}", $"{reseated.Steps}", $"{reseated.StepsEqual}", $"{free.CasesEqual}");
+        Terminal.Write(table);
+    }
 
-    private static string Share(int part, int whole) => whole == 0 ? "-" : FormattableString.Invariant($"{100.0 * part / whole:0.00} %");
+    private static Table NewTable(string[] words, params string[] numbers)
+    {
+        Table table = new() { Border = TableBorder.Simple };
+        foreach (string heading in words) table.AddColumn(new TableColumn(heading));
+        foreach (string heading in numbers) table.AddColumn(new TableColumn(heading) { Alignment = Justify.Right });
+        return table;
+    }
 }

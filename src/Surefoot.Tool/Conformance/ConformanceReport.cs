@@ -1,32 +1,9 @@
+using Surefoot.Tool.Conformance.Captures;
 using Surefoot.Tool.Conformance.Steering;
 
 namespace Surefoot.Tool.Conformance;
 
-/// <summary>How much of a scene came out the same.</summary>
-internal sealed class SceneScore
-{
-    /// <summary>Walks replayed.</summary>
-    public int Cases { get; private set; }
-
-    /// <summary>Walks equal from start to end.</summary>
-    public int CasesEqual { get; private set; }
-
-    /// <summary>Steps replayed.</summary>
-    public int Steps { get; private set; }
-
-    /// <summary>Steps equal.</summary>
-    public int StepsEqual { get; private set; }
-
-    internal void Add(int steps, int equal, bool whole)
-    {
-        Cases++;
-        Steps += steps;
-        StepsEqual += equal;
-        if (whole) CasesEqual++;
-    }
-}
-
-/// <summary>The scores of a set of walks, scene by scene.</summary>
+/// <summary>The scores of a set of recordings, family by family.</summary>
 internal sealed class ConformanceReport
 {
     private readonly SortedDictionary<string, (SceneScore Reseated, SceneScore Free)> scenes = new(StringComparer.Ordinal);
@@ -35,135 +12,137 @@ internal sealed class ConformanceReport
 
     internal SceneScore FreeRunning { get; } = new();
 
-    /// <summary>First divergence of each walk that diverges when re-seated, then of those that diverge only free-running.</summary>
+    /// <summary>First divergence of each walk that diverges, each other result that differs.</summary>
     internal List<Divergence> Divergences { get; } = [];
 
-    internal IEnumerable<(string Name, SceneScore Reseated, SceneScore Free)> Scenes => scenes.Select(s => (s.Key, s.Value.Reseated, s.Value.Free));
-
-    internal void Add(WalkCase walk, WalkReplay replay)
-    {
-        if (!scenes.TryGetValue(walk.Scene, out var scene)) scenes[walk.Scene] = scene = (new SceneScore(), new SceneScore());
-        var reseated = replay.Run(walk, reseat: true);
-        var free = replay.Run(walk, reseat: false);
-        scene.Reseated.Add(reseated.Steps, reseated.Equal, reseated.First is null);
-        Reseated.Add(reseated.Steps, reseated.Equal, reseated.First is null);
-        scene.Free.Add(free.Steps, free.Equal, free.First is null);
-        FreeRunning.Add(free.Steps, free.Equal, free.First is null);
-        if ((reseated.First ?? free.First) is { } divergence) Divergences.Add(divergence);
-    }
+    internal IEnumerable<(string Name, SceneScore Reseated, SceneScore Free)> Scenes =>
+        scenes.Select(s => (s.Key, s.Value.Reseated, s.Value.Free));
 
     /// <summary>Results of a peer as it is, by family; those listed as changed by known departures are counted apart.</summary>
     internal SortedDictionary<string, OracleScore> Oracle { get; } = new(StringComparer.Ordinal);
 
-    internal void Add(OracleReplay.Result result, bool listed)
-    {
-        if (!Oracle.TryGetValue(result.Family, out OracleScore? score)) Oracle[result.Family] = score = new OracleScore();
-        score.Add(listed, result.Difference is null);
-        if (listed || result.Difference is not { } difference) return;
-        if (result.Departure is { } departure) score.Count(departure);
-        Divergences.Add(new Divergence(
-            result.Id, $"{result.Family} {result.Tag}", result.Step, StepDifference.Result, result.Departure is null ? difference : $"{difference} ({result.Departure})"));
-    }
-
     /// <summary>Runs of the managers that move other bodies, by family.</summary>
     internal SortedDictionary<string, ManagerScore> Managers { get; } = new(StringComparer.Ordinal);
+
+    /// <summary>Recorded sessions.</summary>
+    internal CaptureScore Captures { get; } = new();
+
+    /// <summary>A walk that only diverges when it runs freely hangs on a last bit: from each recorded state its step is equal.</summary>
+    internal void Add(WalkCase walk, in WalkOutcome reseated, in WalkOutcome free)
+    {
+        if (!scenes.TryGetValue(walk.Scene, out var scene)) scenes[walk.Scene] = scene = (new SceneScore(), new SceneScore());
+        bool stepsHold = reseated.Equal + reseated.LastBit == reseated.Steps && reseated.First is not { Step: < 0 };
+        foreach (SceneScore score in (SceneScore[])[scene.Reseated, Reseated]) score.Add(reseated, stepsHold);
+        foreach (SceneScore score in (SceneScore[])[scene.Free, FreeRunning]) score.Add(free, stepsHold);
+        if ((reseated.First ?? free.First) is not { } divergence) return;
+        Divergences.Add(reseated.First is null ? divergence with { Reason = Divergence.LastBit } : divergence);
+    }
+
+    internal void Add(OracleResult result, bool listed)
+    {
+        if (!Oracle.TryGetValue(result.Family, out OracleScore? score)) Oracle[result.Family] = score = new OracleScore();
+        score.Add(result, listed);
+        if (listed || result.Difference is not { } difference) return;
+        string? reason = result.Departure ?? (result.HangsOnLastBit ? Divergence.LastBit : null);
+        string scene = $"{result.Family} {result.Tag}";
+        Divergences.Add(new Divergence(result.Id, scene, result.Step ?? -1, StepDifference.Result, difference, reason));
+    }
 
     internal void Add(ManagerResult result)
     {
         if (!Managers.TryGetValue(result.Family, out ManagerScore? score)) Managers[result.Family] = score = new ManagerScore();
         score.Add(result);
         if (result.Difference is not { } difference) return;
-        string tight = result.IsTight ? " (hangs on a last bit)" : "";
-        Divergences.Add(new Divergence(result.Id, $"{result.Family} {result.Tag}", result.Equal, StepDifference.Result, difference + tight));
+        string? reason = result.IsTight ? Divergence.LastBit : null;
+        string scene = $"{result.Family} {result.Tag}";
+        Divergences.Add(new Divergence(result.Id, scene, result.Equal, StepDifference.Result, difference, reason));
     }
 
-    internal object ToJson() => new
+    internal void Add(IReadOnlyCollection<CaptureResult> session)
+    {
+        Captures.Add(session);
+        foreach (CaptureResult finding in session)
+        {
+            if (finding.Difference is not { } difference) continue;
+            Divergences.Add(new Divergence(finding.Session, finding.What, finding.Number, StepDifference.Result, difference.TrimStart()));
+        }
+    }
+
+    /// <summary>Each family against what is required of it.</summary>
+    /// <param name="required">Percent required of all; null for what each family has by default.</param>
+    internal List<Verdict> Judge(double? required)
+    {
+        List<Verdict> verdicts = [];
+        if (Reseated.Cases > 0)
+        {
+            (int hangingSteps, int hangingWalks) = (Reseated.StepsLastBit, FreeRunning.CasesLastBit);
+            verdicts.Add(new Verdict("walks", "re-seated steps", Reseated.Steps - hangingSteps, Reseated.StepsEqual)
+            {
+                Required = required ?? Verdict.Walks, Apart = Hanging(hangingSteps),
+            });
+            verdicts.Add(new Verdict("walks", "free-running walks", FreeRunning.Cases - hangingWalks, FreeRunning.CasesEqual)
+            {
+                Required = required ?? Verdict.Walks, Apart = Hanging(hangingWalks),
+            });
+        }
+
+        foreach ((string family, OracleScore score) in Oracle)
+        {
+            int apart = score.ResultsLastBit + score.Explained.Values.Sum();
+            verdicts.Add(new Verdict($"peer's {family}", "results", score.Results - apart, score.ResultsEqual)
+            {
+                Required = required ?? Verdict.Oracle, Apart = ApartOf(score),
+            });
+        }
+
+        foreach ((string family, ManagerScore score) in Managers)
+        {
+            string apart = score.TightCases == 0 ? "" : $"{Hanging(score.TightCases)} ({score.TightCasesEqual} of them equal)";
+            verdicts.Add(new Verdict(family, "runs", score.Cases, score.CasesEqual)
+            {
+                Required = required ?? Verdict.Exact, Apart = apart,
+            });
+        }
+
+        if (Captures.Sessions > 0)
+        {
+            verdicts.Add(new Verdict("sessions", "datagrams, verdicts, messages", Captures.Findings, Captures.FindingsEqual)
+            {
+                Required = required ?? Verdict.Exact,
+            });
+        }
+
+        return verdicts;
+    }
+
+    /// <summary>What a program reads.</summary>
+    internal object ToJson(double? required) => new
     {
         FreeRunning = Score(FreeRunning, s => s.Free),
         Reseated = Score(Reseated, s => s.Reseated),
         Oracle,
         Managers,
+        Captures,
+        Families = Judge(required),
+        IsMet = Judge(required).TrueForAll(verdict => verdict.IsMet),
     };
+
+    private static string Hanging(int count) => count == 0 ? "" : $"{count} {(count == 1 ? "hangs" : "hang")} on a last bit";
+
+    private static string ApartOf(OracleScore score) => string.Join(", ", new[]
+    {
+        Hanging(score.ResultsLastBit),
+        score.Listed == 0 ? "" : $"{score.Listed} listed as departures ({score.ListedDiffering} of them differ)",
+    }.Concat(score.Explained.Select(reason => $"{reason.Key} {reason.Value}")).Where(words => words.Length > 0));
 
     private object Score(SceneScore all, Func<(SceneScore Reseated, SceneScore Free), SceneScore> pick) => new
     {
         all.Cases,
         all.CasesEqual,
+        all.CasesLastBit,
         all.Steps,
         all.StepsEqual,
+        all.StepsLastBit,
         Scenes = scenes.ToDictionary(s => s.Key, s => pick(s.Value)),
     };
-}
-
-/// <summary>How many runs of a family of managers came out the same; those that hang on the last bit of a float are counted apart.</summary>
-internal sealed class ManagerScore
-{
-    /// <summary>Runs replayed.</summary>
-    public int Cases { get; private set; }
-
-    /// <summary>Of those, equal to the end.</summary>
-    public int CasesEqual { get; private set; }
-
-    /// <summary>Their steps.</summary>
-    public int Steps { get; private set; }
-
-    /// <summary>Steps before the first that differs.</summary>
-    public int StepsEqual { get; private set; }
-
-    /// <summary>Runs that hang on a last bit.</summary>
-    public int TightCases { get; private set; }
-
-    /// <summary>Of those, equal to the end.</summary>
-    public int TightCasesEqual { get; private set; }
-
-    internal void Add(ManagerResult result)
-    {
-        int equal = result.Difference is null ? 1 : 0;
-        if (result.IsTight)
-        {
-            TightCases++;
-            TightCasesEqual += equal;
-            return;
-        }
-
-        Cases++;
-        CasesEqual += equal;
-        Steps += result.Steps;
-        StepsEqual += result.Equal;
-    }
-}
-
-/// <summary>How many results of a family came out the same.</summary>
-internal sealed class OracleScore
-{
-    /// <summary>Results that no known departure changes.</summary>
-    public int Results { get; private set; }
-
-    /// <summary>Of those, equal.</summary>
-    public int ResultsEqual { get; private set; }
-
-    /// <summary>Results that known departures of the peer change.</summary>
-    public int Listed { get; private set; }
-
-    /// <summary>Of those, differing as foreseen.</summary>
-    public int ListedDiffering { get; private set; }
-
-    /// <summary>Of the unlisted results that differ, those for which the mover's state says why, by reason.</summary>
-    public SortedDictionary<string, int> Explained { get; } = new(StringComparer.Ordinal);
-
-    internal void Count(string departure) => Explained[departure] = Explained.GetValueOrDefault(departure) + 1;
-
-    internal void Add(bool listed, bool equal)
-    {
-        if (listed)
-        {
-            Listed++;
-            if (!equal) ListedDiffering++;
-        }
-        else
-        {
-            Results++;
-            if (equal) ResultsEqual++;
-        }
-    }
 }

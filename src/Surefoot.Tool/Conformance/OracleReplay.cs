@@ -1,6 +1,4 @@
-using System.Globalization;
 using System.Numerics;
-using System.Text.Json;
 using Surefoot.Dats;
 using Surefoot.Physics;
 using Surefoot.Physics.Assets;
@@ -10,9 +8,22 @@ using Surefoot.Physics.World;
 
 namespace Surefoot.Tool.Conformance;
 
+/// <summary>One compared result of a peer as it is.</summary>
+/// <param name="Id">Case.</param>
+/// <param name="Step">Step of a walk, null for the others.</param>
+/// <param name="Family">Kind of case.</param>
+/// <param name="Tag">Where it was aimed at.</param>
+/// <param name="Difference">What differs; null when nothing does.</param>
+/// <param name="Departure">Why a difference is expected although the result is not listed; null when none is.</param>
+/// <param name="HangsOnLastBit">The difference is one of rounding.</param>
+internal sealed record OracleResult(
+    string Id, int? Step, string Family, string Tag, string? Difference, string? Departure = null, bool HangsOnLastBit = false);
+
 /// <summary>
-/// Replays cases recorded from a peer as it is: single sweeps, placements, and walks re-seated before each step. Results that known departures of
-/// the peer change are listed beside them; the lists leave out two departures that the mover's state word tells (<see cref="DepartureOf"/>).
+/// Replays cases recorded from a peer as it is: single sweeps, placements, and walks re-seated before each step. Results that known
+/// departures of
+/// the peer change are listed beside them; the lists leave out two departures that the mover's state word tells (<see
+/// cref="DepartureOf"/>).
 /// </summary>
 internal sealed class OracleReplay(ICellWorld world, Func<uint, SetupAsset> setups)
 {
@@ -21,14 +32,8 @@ internal sealed class OracleReplay(ICellWorld world, Func<uint, SetupAsset> setu
     private const double VelocityTolerance = 0.01;
     private const TransientState Compared = (TransientState)0x7F;
 
-    /// <summary>One compared result.</summary>
-    /// <param name="Id">Case.</param>
-    /// <param name="Step">Step of a walk, -1 for the others.</param>
-    /// <param name="Family">Kind of case.</param>
-    /// <param name="Tag">Where it was aimed at.</param>
-    /// <param name="Difference">What differs; null when nothing does.</param>
-    /// <param name="Departure">Why a difference is expected although the result is not listed; null when none is.</param>
-    internal sealed record Result(string Id, int Step, string Family, string Tag, string? Difference, string? Departure = null);
+    /// <summary>The kinds of cases.</summary>
+    internal static readonly string[] Families = ["placement", "transition", "walk"];
 
     /// <summary>A replay over a world of these landblocks, with its rooms read as the peer reads them.</summary>
     internal static OracleReplay Over(IDatSource source, IEnumerable<uint> blocks)
@@ -39,172 +44,166 @@ internal sealed class OracleReplay(ICellWorld world, Func<uint, SetupAsset> setu
         return new OracleReplay(world, cache.GetSetup);
     }
 
-    /// <summary>Replays every case of a file.</summary>
-    internal IEnumerable<Result> Run(string path)
+    /// <summary>Replays a case.</summary>
+    internal List<OracleResult> Run(OracleCase one)
     {
-        foreach (JsonElement walk in ReadLines(path))
+        PhysicsEngine engine = new(world) { RefuseLeavingCells = true };
+        List<PhysicsBody> bodies = [];
+        try
         {
-            PhysicsEngine engine = new(world) { RefuseLeavingCells = true };
-            List<PhysicsBody> bodies = [];
-            if (walk.TryGetProperty("others", out JsonElement others) && others.ValueKind == JsonValueKind.Array)
-                foreach (JsonElement other in others.EnumerateArray()) bodies.Add(Place(engine, other, PlacementFlags.None));
-            PhysicsBody mover = Create(engine, walk.GetProperty("mover"));
+            foreach (OracleBody other in one.Others ?? [])
+            {
+                PhysicsBody body = Create(engine, other);
+                bodies.Add(body);
+                body.SetPosition(new PlacementRequest(PositionOf(other.Request!, Quaternion.Identity), PlacementFlags.None));
+            }
+
+            PhysicsBody mover = Create(engine, one.Mover);
             bodies.Add(mover);
-            foreach (Result result in Replay(mover, walk)) yield return result;
+            return one.Family switch
+            {
+                "transition" => [Sweep(mover, one)],
+                "placement" => [Place(mover, one)],
+                _ => Walk(mover, one),
+            };
+        }
+        finally
+        {
             foreach (PhysicsBody body in bodies) engine.RemoveBody(body);
         }
     }
 
-    /// <summary>Is the file one of a peer as it is? Its cases name their family.</summary>
-    internal static bool Reads(string path) => ReadLines(path).Take(1).Any(first => first.TryGetProperty("family", out _));
+    /// <summary>How a list of departures names a result.</summary>
+    internal static string KeyOf(string id, int? step) => step is { } number ? $"{id}/{number}" : id;
 
-    /// <summary>Is the file a list of departures? It is read beside the cases it belongs to.</summary>
-    internal static bool IsDepartureList(string path) => ReadLines(path).Take(1).Any(first => first.TryGetProperty("differs", out _));
-
-    /// <summary>Replays every case of a file and counts those apart that known departures change.</summary>
-    internal void Score(string path, ConformanceReport report)
-    {
-        HashSet<string> departures = DeparturesBeside(path);
-        foreach (Result result in Run(path)) report.Add(result, departures.Contains(result.Step < 0 ? result.Id : $"{result.Id}/{result.Step}"));
-    }
-
-    /// <summary>The list beside a file of cases: <c>departures-201.jsonl.gz</c> for <c>walk-201.jsonl.gz</c>; empty without one.</summary>
+    /// <summary>
+    /// The results of a file of cases that known departures change: <c>departures-201.jsonl.gz</c> lists those of <c>walk-201.jsonl.gz</c>.
+    /// </summary>
+    /// <returns>Their keys; empty when there is no list beside the file.</returns>
     internal static HashSet<string> DeparturesBeside(string path)
     {
-        string name = Path.GetFileName(path);
-        string list = Path.Combine(Path.GetDirectoryName(Path.GetFullPath(path))!, "departures" + name[Math.Max(0, name.IndexOf('-', StringComparison.Ordinal))..]);
-        return File.Exists(list) ? ReadDepartures(list) : [];
+        string name = Path.GetFileName(path), folder = Path.GetDirectoryName(Path.GetFullPath(path))!;
+        string list = Path.Combine(folder, "departures" + name[Math.Max(0, name.IndexOf('-', StringComparison.Ordinal))..]);
+        if (!File.Exists(list)) return [];
+        using VectorFile file = VectorFile.Open(list);
+        return [.. file.Read(OracleDeparture.Parse).Select(departure => departure.Key)];
     }
-
-    /// <summary>The results that known departures change, as <c>id</c> or <c>id/step</c>.</summary>
-    internal static HashSet<string> ReadDepartures(string path) =>
-        [.. ReadLines(path).Select(d => d.TryGetProperty("step", out JsonElement step) ? $"{d.GetProperty("id").GetString()}/{step.GetInt32()}" : d.GetProperty("id").GetString()!)];
 
     /// <summary>
     /// What the peer does differently in every quantum of such a mover. A missile that follows its path is pitched about y instead of x
-    /// (specification 03, 4.1.4), so that its sphere is elsewhere; a sled is not accelerated, slips where retail grips, and pitches (02, section 5).
+    /// (specification 03, 4.1.4), so that its sphere is elsewhere; a sled is not accelerated, slips where retail grips, and pitches (02,
+    /// section 5).
     /// </summary>
     private static string? DepartureOf(PhysicsState state) =>
         (state & PhysicsState.AlignPath) != 0 ? "heading of a missile" : (state & PhysicsState.Sledding) != 0 ? "sled" : null;
 
-    private static IEnumerable<Result> Replay(PhysicsBody mover, JsonElement walk)
+    private static OracleResult Sweep(PhysicsBody mover, OracleCase one)
     {
-        string id = walk.GetProperty("id").GetString()!, family = walk.GetProperty("family").GetString()!, tag = walk.GetProperty("tag").GetString()!;
-        switch (family)
+        OracleState begin = one.Begin!;
+        Position end = PositionOf(one.End!, Quaternion.Identity);
+        string? difference = SweepFrom(begin.Pos);
+        bool hangs = difference is not null && LastBit.Decides(begin.Pos, at => SweepFrom(at) is null);
+        return new OracleResult(one.Id, null, one.Family, one.Tag, difference, null, hangs);
+
+        string? SweepFrom(Vector3 at)
         {
-            case "transition":
-                Seat(mover, walk.GetProperty("begin"), Quaternion.Identity);
-                ResolveResult swept = mover.Probe(PositionOf(walk.GetProperty("end"), Quaternion.Identity));
-                yield return new Result(id, -1, family, tag, CompareSweep(swept, walk.GetProperty("out")));
-                break;
-            case "placement":
-                PlacementFlags flags = walk.GetProperty("slide").GetBoolean() ? PlacementFlags.Slide : PlacementFlags.None;
-                PlacementResult placed = mover.SetPosition(new PlacementRequest(PositionOf(walk.GetProperty("request"), Quaternion.Identity), flags));
-                JsonElement expected = walk.GetProperty("out");
-                string? difference = placed.ToString() != expected.GetProperty("result").GetString() ? $"{placed}, recorded {expected.GetProperty("result").GetString()}"
-                    : placed == PlacementResult.OK && expected.TryGetProperty("pos", out _) && mover.HasCell ? CompareBody(mover, expected) : null;
-                yield return new Result(id, -1, family, tag, difference);
-                break;
-            default:
-                foreach (Result result in ReplayWalk(mover, walk, id, tag)) yield return result;
-                break;
+            Seat(mover, begin with { Pos = at }, Quaternion.Identity);
+            return CompareSweep(mover.Probe(end), one.Out!);
         }
     }
 
-    private static IEnumerable<Result> ReplayWalk(PhysicsBody mover, JsonElement walk, string id, string tag)
+    private static OracleResult Place(PhysicsBody mover, OracleCase one)
     {
-        float quantum = walk.GetProperty("q").GetSingle();
+        PlacementFlags flags = one.Slide ? PlacementFlags.Slide : PlacementFlags.None;
+        PlacementResult placed = mover.SetPosition(new PlacementRequest(PositionOf(one.Request!, Quaternion.Identity), flags));
+        OracleOutcome recorded = one.Out!;
+        string? difference = placed.ToString() != recorded.Result ? $"{placed}, recorded {recorded.Result}"
+            : placed == PlacementResult.OK && mover.HasCell && recorded is { Cell: { } cell, Pos: { } pos }
+                ? CompareBody(mover, cell, pos, recorded.Ts, recorded.Sliding)
+                : null;
+        return new OracleResult(one.Id, null, one.Family, one.Tag, difference);
+    }
+
+    private static List<OracleResult> Walk(PhysicsBody mover, OracleCase walk)
+    {
+        List<OracleResult> results = [];
         RecordedMotion motion = new();
         mover.AttachMovement(motion);
-        JsonElement before = walk.GetProperty("start");
+        OracleState before = walk.Start!;
         Quaternion facing = Quaternion.Identity;
-        int index = 0;
-        foreach (JsonElement step in walk.GetProperty("steps").EnumerateArray())
+        foreach (OracleStep step in walk.Steps!)
         {
-            facing = Seat(mover, before, facing);
-            if (step.TryGetProperty("root", out JsonElement root)) motion.Offset = RetailMath.Scale(Vector(root), quantum);
-            if (step.TryGetProperty("leave", out JsonElement leave) && leave.ValueKind == JsonValueKind.True) mover.SetOnWalkable(false);
-            if (step.TryGetProperty("set_velocity", out JsonElement velocity)) mover.SetVelocity(Vector(velocity));
-            mover.SetActive(true);
-            string? departure = DepartureOf(mover.State);
-            mover.Step(quantum, sweepWithoutSpheres: true);
-            string? difference = CompareBody(mover, step) ?? (departure is null ? CompareVelocity(mover, step) : null);
-            yield return new Result(id, index++, "walk", tag, difference, departure);
-            if (step.TryGetProperty("state", out JsonElement state)) mover.SetState((PhysicsState)Hex(state));
+            OracleState seat = before;
+            Quaternion faced = facing;
+            PhysicsState state = mover.State;
+            string? departure = DepartureOf(state);
+            if (step.Root is { } root) motion.Offset = RetailMath.Scale(root, walk.Q);
+            string? difference = StepFrom(seat.Pos);
+            bool hangs = difference is not null && departure is null && LastBit.Decides(seat.Pos, at =>
+            {
+                mover.SetState(state);
+                return StepFrom(at) is null;
+            });
+            if (difference is null) departure = null;
+            results.Add(new OracleResult(walk.Id, results.Count, walk.Family, walk.Tag, difference, departure, hangs));
+            if (hangs) mover.SetState(state);
+            if (step.State is { } changed) mover.SetState((PhysicsState)changed.Value);
+            facing = seat.Quat ?? faced;
             before = step;
+
+            string? StepFrom(Vector3 at)
+            {
+                Seat(mover, seat with { Pos = at }, faced);
+                if (step.Leave) mover.SetOnWalkable(false);
+                if (step.SetVelocity is { } velocity) mover.SetVelocity(velocity);
+                mover.SetActive(true);
+                mover.Step(walk.Q, sweepWithoutSpheres: true);
+                string? difference = CompareBody(mover, step.Cell, step.Pos, step.Ts, step.Sliding);
+                return difference ?? (departure is null ? CompareVelocity(mover, step) : null);
+            }
         }
+
+        return results;
     }
 
-    private static string? CompareSweep(in ResolveResult swept, JsonElement expected)
+    private static string? CompareSweep(in ResolveResult swept, OracleOutcome recorded)
     {
-        bool found = expected.TryGetProperty("found", out JsonElement f) && f.GetBoolean();
-        if (swept.Found != found) return $"found {swept.Found}, recorded {found}";
-        if (!found) return null;
-        if (swept.Position.CellId != Hex(expected.GetProperty("pos_cell"))) return "cell";
-        Vector3 at = Vector(expected.GetProperty("pos"));
+        if (swept.Found != recorded.Found) return $"found {swept.Found}, recorded {recorded.Found}";
+        if (!recorded.Found) return null;
+        if (recorded is not { PosCell: { } cell, Pos: { } at })
+            throw new InvalidDataException("not a recorded result of a peer: its result has no position.");
+        if (swept.Position.CellId != cell) return $"cell {swept.Position.CellId:X8}, recorded {cell.Value:X8}";
         if (!((swept.Position.Frame.Origin - at).Length() <= Tolerance)) return $"position {swept.Position.Frame.Origin}, recorded {at}";
-        bool contact = expected.TryGetProperty("contact", out JsonElement c) && c.GetBoolean();
-        if (swept.HasContact != contact) return "contact";
-        return SameNormal(swept.SlidingNormal, expected) ? null : "sliding normal";
+        if (swept.HasContact != recorded.Contact) return $"contact {swept.HasContact}, recorded {recorded.Contact}";
+        return SameNormal(swept.SlidingNormal, recorded.Sliding) ? null : "sliding normal";
     }
 
-    private static string? CompareBody(PhysicsBody body, JsonElement expected)
+    private static string? CompareBody(PhysicsBody body, uint cell, Vector3 at, uint bits, Vector3? sliding)
     {
-        if (body.Position.CellId != Hex(expected.GetProperty("cell"))) return $"cell {body.Position.CellId:X8}, recorded {expected.GetProperty("cell").GetString()}";
-        Vector3 at = Vector(expected.GetProperty("pos"));
+        if (body.Position.CellId != cell) return $"cell {body.Position.CellId:X8}, recorded {cell:X8}";
         if (!((body.Position.Frame.Origin - at).Length() <= Tolerance)) return $"position {body.Position.Frame.Origin}, recorded {at}";
-        TransientState bits = (TransientState)Hex(expected.GetProperty("ts"));
-        if (((body.Transient ^ bits) & Compared) != 0) return $"bits {body.Transient & Compared}, recorded {bits & Compared}";
-        return SameNormal((body.Transient & TransientState.Sliding) != 0 ? body.SlidingNormal : null, expected) ? null : "sliding normal";
+        TransientState found = body.Transient & Compared, expected = (TransientState)bits & Compared;
+        if (found != expected) return $"bits {found}, recorded {expected}";
+        return SameNormal((body.Transient & TransientState.Sliding) != 0 ? body.SlidingNormal : null, sliding) ? null : "sliding normal";
     }
 
-    private static string? CompareVelocity(PhysicsBody body, JsonElement expected)
-    {
-        Vector3 recorded = Vector(expected.GetProperty("vel"));
-        return (body.Velocity - recorded).Length() <= VelocityTolerance ? null : $"velocity {body.Velocity}, recorded {recorded}";
-    }
+    private static string? CompareVelocity(PhysicsBody body, OracleStep step) =>
+        (body.Velocity - step.Vel).Length() <= VelocityTolerance ? null : $"velocity {body.Velocity}, recorded {step.Vel}";
 
-    private static bool SameNormal(Vector3? sliding, JsonElement expected) => expected.TryGetProperty("sliding", out JsonElement recorded)
-        ? sliding is { } normal && (normal - Vector(recorded)).Length() <= NormalTolerance
-        : sliding is null;
+    private static bool SameNormal(Vector3? sliding, Vector3? recorded) =>
+        recorded is { } expected ? sliding is { } normal && (normal - expected).Length() <= NormalTolerance : sliding is null;
 
-    private PhysicsBody Create(PhysicsEngine engine, JsonElement element)
+    private PhysicsBody Create(PhysicsEngine engine, OracleBody body)
     {
         WeenieTraits weenie = WeenieTraits.Present;
-        if (element.TryGetProperty("player", out JsonElement player) && player.GetBoolean()) weenie |= WeenieTraits.Player;
-        if (element.TryGetProperty("creature", out JsonElement creature) && creature.GetBoolean()) weenie |= WeenieTraits.Creature;
-        float scale = element.TryGetProperty("scale", out JsonElement s) ? s.GetSingle() : 1f;
-        return engine.CreateBody(Hex(element.GetProperty("id")), setups(Hex(element.GetProperty("setup"))), (PhysicsState)Hex(element.GetProperty("state")), weenie, scale);
+        if (body.Player) weenie |= WeenieTraits.Player;
+        if (body.Creature) weenie |= WeenieTraits.Creature;
+        return engine.CreateBody(body.Id, setups(body.Setup), (PhysicsState)body.State.Value, weenie, body.Scale ?? 1f);
     }
 
-    private PhysicsBody Place(PhysicsEngine engine, JsonElement element, PlacementFlags flags)
-    {
-        PhysicsBody body = Create(engine, element);
-        body.SetPosition(new PlacementRequest(PositionOf(element.GetProperty("request"), Quaternion.Identity), flags));
-        return body;
-    }
+    private static void Seat(PhysicsBody body, OracleState state, Quaternion facing) => body.Seat(new BodySeat(
+        PositionOf(state.Place, facing), state.Vel, (TransientState)state.Ts.Value, state.Plane, state.PlaneCell,
+        state.Sliding ?? Vector3.Zero, state.CollidingEnv));
 
-    private static Quaternion Seat(PhysicsBody body, JsonElement state, Quaternion facing)
-    {
-        Position position = PositionOf(state, facing);
-        Plane plane = state.TryGetProperty("plane", out JsonElement p) ? new Plane(p[0].GetSingle(), p[1].GetSingle(), p[2].GetSingle(), p[3].GetSingle()) : default;
-        body.Seat(new BodySeat(
-            position, Vector(state.GetProperty("vel")), (TransientState)Hex(state.GetProperty("ts")), plane,
-            state.TryGetProperty("plane_cell", out JsonElement cell) ? Hex(cell) : 0,
-            state.TryGetProperty("sliding", out JsonElement sliding) ? Vector(sliding) : Vector3.Zero,
-            state.TryGetProperty("colliding_env", out JsonElement env) && env.GetBoolean()));
-        return position.Frame.Rotation;
-    }
-
-    private static Position PositionOf(JsonElement state, Quaternion facing)
-    {
-        if (state.TryGetProperty("quat", out JsonElement q)) facing = new Quaternion(q[1].GetSingle(), q[2].GetSingle(), q[3].GetSingle(), q[0].GetSingle());
-        return new Position(Hex(state.GetProperty("cell")), new Frame(Vector(state.GetProperty("pos")), facing));
-    }
-
-    private static IEnumerable<JsonElement> ReadLines(string path) => VectorFile.Read(path, static line => JsonElement.Parse(line));
-
-    private static Vector3 Vector(JsonElement v) => new(v[0].GetSingle(), v[1].GetSingle(), v[2].GetSingle());
-
-    private static uint Hex(JsonElement text) => uint.Parse(text.GetString()!, NumberStyles.HexNumber, CultureInfo.InvariantCulture);
+    private static Position PositionOf(OraclePlace place, Quaternion facing) => new(place.Cell, new Frame(place.Pos, place.Quat ?? facing));
 }

@@ -6,7 +6,8 @@ using Surefoot.Dats.Records;
 namespace Surefoot.Tool.Conformance;
 
 /// <summary>
-/// Rooms as the recorder of the oracle vectors read them: a portal leads outdoors when the cell behind it is 0xFFFF. Its world file says so of its houses in no
+/// Rooms as the recorder of the oracle vectors read them: a portal leads outdoors when the cell behind it is 0xFFFF. Its world file says so
+/// of its houses in no
 /// other way, whereas retail looks at a flag alone (specification 05, 2.5; 07, 7.11).
 /// </summary>
 /// <param name="source">The files as they are.</param>

@@ -25,46 +25,70 @@ internal enum StepDifference
     /// <summary>Other contact, walkable, sliding, water or stationary bits.</summary>
     Flags,
 
-    /// <summary>Another result of a case recorded from a peer as it is.</summary>
+    /// <summary>More than a centimetre a second faster, slower or elsewhere.</summary>
+    Velocity,
+
+    /// <summary>Another result of a recording of another kind.</summary>
     Result,
 }
 
 /// <summary>A divergence, for people.</summary>
-internal sealed record Divergence(string CaseId, string Scene, int Step, StepDifference Difference, string Detail);
+/// <param name="CaseId">The case.</param>
+/// <param name="Scene">What it was aimed at.</param>
+/// <param name="Step">Step, datagram or message; negative where there are none.</param>
+/// <param name="Difference">What differs.</param>
+/// <param name="Detail">How.</param>
+/// <param name="Reason">Why it does not count; null when it does.</param>
+internal sealed record Divergence(string CaseId, string Scene, int Step, StepDifference Difference, string Detail, string? Reason = null)
+{
+    /// <summary>The reason of those that rounding decides.</summary>
+    internal const string LastBit = "hangs on a last bit";
+
+    /// <summary>In one line.</summary>
+    public override string ToString() =>
+        $"{CaseId} {Scene} {(Step < 0 ? "" : $"step {Step} ")}{Difference}: {Detail}{(Reason is null ? "" : $" ({Reason})")}";
+}
+
+/// <summary>What a replay of a walk came to.</summary>
+/// <param name="Steps">Steps recorded.</param>
+/// <param name="Equal">Steps equal.</param>
+/// <param name="LastBit">Steps that differ and hang on a last bit; known when re-seated.</param>
+/// <param name="First">First difference.</param>
+internal readonly record struct WalkOutcome(int Steps, int Equal, int LastBit, Divergence? First);
 
 /// <summary>Replays recorded walks in a world.</summary>
 internal sealed class WalkReplay(ICellWorld world, Func<uint, SetupAsset> setups)
 {
     private const double PositionTolerance = 0.001;
+    private const double VelocityTolerance = 0.01;
     private const uint MoverId = 0x50000001;
     private const uint FirstOtherId = 0x60000001;
     private const TransientState Compared = (TransientState)0x7F;
     private const PhysicsState BodyState = PhysicsState.Gravity | PhysicsState.ReportCollisions | PhysicsState.EdgeSlide;
 
     /// <summary>
-    /// Replays one case and calls back for each step with what differs. Re-seated, each step begins from the recorded state; free
-    /// running, from where the replay is, and ends at the first difference.
+    /// Replays one case. Re-seated, each step begins from the recorded state; free-running, from where the replay is.
     /// </summary>
-    internal (int Steps, int Equal, Divergence? First) Run(WalkCase walk, bool reseat)
+    internal WalkOutcome Run(WalkCase walk, bool reseat)
     {
         // The recorder keeps a body that would leave its cells where it is (specification 02, 5, UpdateObjectInternal).
         PhysicsEngine engine = new(world) { RefuseLeavingCells = true };
         List<PhysicsBody> all = [];
-        foreach (WalkOther other in walk.Others ?? [])
-        {
-            PhysicsBody creature = engine.CreateBody(
-                FirstOtherId + (uint)all.Count, setups(WalkCase.ParseId(other.Setup)), BodyState, WeenieTraits.Present | WeenieTraits.Creature);
-            creature.SetPosition(new PlacementRequest(new Position(WalkCase.ParseId(other.Cell), Vector(other.Pos)), PlacementFlags.Slide));
-            all.Add(creature);
-        }
-
-        PhysicsBody body = engine.CreateBody(
-            MoverId, setups(WalkCase.ParseId(walk.Setup)), BodyState, WeenieTraits.Present | WeenieTraits.Player | WeenieTraits.Creature);
-        all.Add(body);
-        RecordedMotion motion = new();
-        body.AttachMovement(motion);
         try
         {
+            foreach (WalkOther other in walk.Others ?? [])
+            {
+                PhysicsBody creature = engine.CreateBody(
+                    FirstOtherId + (uint)all.Count, setups(other.Setup), BodyState, WeenieTraits.Present | WeenieTraits.Creature);
+                all.Add(creature);
+                creature.SetPosition(new PlacementRequest(new Position(other.Cell, other.Pos), PlacementFlags.Slide));
+            }
+
+            PhysicsBody body = engine.CreateBody(
+                MoverId, setups(walk.Setup), BodyState, WeenieTraits.Present | WeenieTraits.Player | WeenieTraits.Creature);
+            all.Add(body);
+            RecordedMotion motion = new();
+            body.AttachMovement(motion);
             return Replay(walk, body, motion, reseat);
         }
         finally
@@ -73,67 +97,88 @@ internal sealed class WalkReplay(ICellWorld world, Func<uint, SetupAsset> setups
         }
     }
 
-    private static (int Steps, int Equal, Divergence? First) Replay(WalkCase walk, PhysicsBody body, RecordedMotion motion, bool reseat)
+    private static WalkOutcome Replay(WalkCase walk, PhysicsBody body, RecordedMotion motion, bool reseat)
     {
-        Position place = new(
-            WalkCase.ParseId(walk.Place.Cell), new Frame(Vector(walk.Place.Pos), Quaternion.CreateFromAxisAngle(Vector3.UnitZ, walk.Place.Yaw)));
+        Position place = new(walk.Place.Cell, new Frame(walk.Place.Pos, Quaternion.CreateFromAxisAngle(Vector3.UnitZ, walk.Place.Yaw)));
         PlacementResult result = body.SetPosition(new PlacementRequest(place, PlacementFlags.Slide));
-        Divergence? first = null;
         if (result == PlacementResult.OK != (walk.Placed == "OK"))
-            return (walk.Steps?.Length ?? 0, 0, new Divergence(walk.Id, walk.Scene, -1, StepDifference.Placement, $"placed {result}, recorded {walk.Placed}"));
-        if (walk.Start is null || walk.Steps is null) return (0, 0, null);
+        {
+            Divergence placed = new(walk.Id, walk.Scene, -1, StepDifference.Placement, $"placed {result}, recorded {walk.Placed}");
+            return new WalkOutcome(walk.Steps?.Length ?? 0, 0, 0, placed);
+        }
+
+        if (walk.Start is null || walk.Steps is null) return default;
+        Divergence? first = null;
         StepDifference start = Compare(body, walk.Start);
         if (start != StepDifference.None) first = new Divergence(walk.Id, walk.Scene, -1, start, Describe(body, walk.Start));
 
         // The recorded start has no more than the state; the orientation is that of the placement.
         Frame facing = place.Frame;
         WalkStep before = walk.Start;
-        int equal = 0;
+        int equal = 0, lastBit = 0;
         for (int i = 0; i < walk.Steps.Length; i++)
         {
-            WalkStep step = walk.Steps[i];
-            if (reseat) Seat(body, before, facing);
-            body.SetActive(true);
-            if (step.Jump is not null)
+            WalkStep step = walk.Steps[i], from = before;
+            if (reseat) Seat(body, from, facing, from.Pos);
+            StepDifference difference = Advance(body, motion, step);
+            before = step;
+            if (difference == StepDifference.None)
             {
-                body.SetOnWalkable(false);
-                body.SetVelocity(Vector(step.Jump));
+                equal++;
+                continue;
             }
 
-            motion.Offset = step.Off is null ? Vector3.Zero : Vector(step.Off);
-            body.Step(step.Q, sweepWithoutSpheres: true);
-            StepDifference difference = Compare(body, step);
-            if (difference == StepDifference.None) equal++;
-            else first ??= new Divergence(walk.Id, walk.Scene, i, difference, Describe(body, step));
-            before = step;
+            string detail = Describe(body, step);
+            string? reason = null;
+            if (reseat && LastBit.Decides(from.Pos, at =>
+                {
+                    Seat(body, from, facing, at);
+                    return Advance(body, motion, step) == StepDifference.None;
+                }))
+            {
+                lastBit++;
+                reason = Divergence.LastBit;
+            }
+
+            first ??= new Divergence(walk.Id, walk.Scene, i, difference, detail, reason);
         }
 
-        return (walk.Steps.Length, equal, first);
+        return new WalkOutcome(walk.Steps.Length, equal, lastBit, first);
     }
 
-    private static void Seat(PhysicsBody body, WalkStep state, Frame facing)
+    private static StepDifference Advance(PhysicsBody body, RecordedMotion motion, WalkStep step)
     {
-        facing.Origin = Vector(state.Pos);
+        body.SetActive(true);
+        if (step.Jump is { } jump)
+        {
+            body.SetOnWalkable(false);
+            body.SetVelocity(jump);
+        }
+
+        motion.Offset = step.Off;
+        body.Step(step.Q, sweepWithoutSpheres: true);
+        return Compare(body, step);
+    }
+
+    private static void Seat(PhysicsBody body, WalkStep state, Frame facing, Vector3 at)
+    {
+        facing.Origin = at;
         body.Seat(new BodySeat(
-            new Position(WalkCase.ParseId(state.Cell), facing), Vector(state.Vel), (TransientState)state.Ts,
-            state.Plane is null ? default : new Plane(state.Plane[0], state.Plane[1], state.Plane[2], state.Plane[3]),
-            state.Pcell is null ? 0 : WalkCase.ParseId(state.Pcell), state.Slide is null ? Vector3.Zero : Vector(state.Slide)));
+            new Position(state.Cell, facing), state.Vel, (TransientState)state.Ts, state.Plane, state.Pcell, state.Slide));
     }
 
     private static StepDifference Compare(PhysicsBody body, WalkStep step)
     {
-        if (body.Position.CellId != WalkCase.ParseId(step.Cell)) return StepDifference.Cell;
-        Vector3 off = body.Position.Frame.Origin - Vector(step.Pos);
-        if (!(off.Length() <= PositionTolerance)) return StepDifference.Position;
-        return ((body.Transient ^ (TransientState)step.Ts) & Compared) == 0 ? StepDifference.None : StepDifference.Flags;
+        if (body.Position.CellId != step.Cell) return StepDifference.Cell;
+        if (!((body.Position.Frame.Origin - step.Pos).Length() <= PositionTolerance)) return StepDifference.Position;
+        if (((body.Transient ^ (TransientState)step.Ts) & Compared) != 0) return StepDifference.Flags;
+        return (body.Velocity - step.Vel).Length() <= VelocityTolerance ? StepDifference.None : StepDifference.Velocity;
     }
 
-    private static string Describe(PhysicsBody body, WalkStep step)
-    {
-        Vector3 at = body.Position.Frame.Origin;
-        return FormattableString.Invariant(
-            $"at {body.Position.CellId:X8} ({at.X:0.####}, {at.Y:0.####}, {at.Z:0.####}) bits {(uint)(body.Transient & Compared):X2}, recorded {step.Cell} ({step.Pos[0]:0.####}, {step.Pos[1]:0.####}, {step.Pos[2]:0.####}) bits {step.Ts & 0x7F:X2}");
-    }
+    private static string Describe(PhysicsBody body, WalkStep step) =>
+        $"{Describe(body.Position.CellId, body.Position.Frame.Origin, body.Velocity, (uint)body.Transient)}, " +
+        $"recorded {Describe(step.Cell, step.Pos, step.Vel, step.Ts)}";
 
-    private static Vector3 Vector(float[] v) => new(v[0], v[1], v[2]);
+    private static string Describe(uint cell, Vector3 at, Vector3 velocity, uint bits) => FormattableString.Invariant(
+        $"at {cell:X8} ({at.X:0.####}, {at.Y:0.####}, {at.Z:0.####}) bits {bits & (uint)Compared:X2} velocity {velocity:0.##}");
 }

@@ -2,18 +2,19 @@ using System.Security.Cryptography;
 using System.Text.Json;
 using Surefoot.Protocol.Session;
 using Surefoot.Protocol.Tests.Support;
+using Surefoot.Tool.Conformance.Captures;
 
 namespace Surefoot.Protocol.Tests.Captures;
 
 /// <summary>The recordings, played to our own client and our own server.</summary>
 public class ReplayTests
 {
-    public static TheoryData<string> Sessions => Capture.All;
+    public static TheoryData<string> Sessions => RecordedSessions.All;
 
     [Theory, MemberData(nameof(Sessions)), Behaviour("protocol.captures.client-replay", "08, 2.6")]
     public void A_client_that_hears_the_recorded_server_gets_all_its_messages(string name)
     {
-        Capture capture = Capture.Load(name);
+        Capture capture = RecordedSessions.Load(name);
         var client = new ClientSession(new ClientSessionOptions { Account = "wire", Password = "testpass" }, new SentDatagrams());
         var received = new ReceivedMessages();
         client.Connect(0);
@@ -31,7 +32,7 @@ public class ReplayTests
     [Theory, MemberData(nameof(Sessions)), Behaviour("protocol.captures.server-replay", "08, 8.3")]
     public void A_server_that_hears_the_recorded_client_executes_its_messages_in_order(string name)
     {
-        Capture capture = Capture.Load(name);
+        Capture capture = RecordedSessions.Load(name);
         if (capture.Seed(WireDirection.ClientToServer) is not { } clientSeed)
             return;
 

@@ -1,6 +1,7 @@
 using Surefoot.Protocol.Messages;
 using Surefoot.Protocol.Session;
 using Surefoot.Protocol.Tests.Captures;
+using Surefoot.Tool.Conformance.Captures;
 
 namespace Surefoot.Protocol.Tests.Session;
 
@@ -13,7 +14,7 @@ public class CharacterSheetTests
     {
         var sheet = new CharacterSheet();
         var tap = new WireTap();
-        foreach (CapturedDatagram captured in Capture.Load("raise").Datagrams)
+        foreach (CapturedDatagram captured in RecordedSessions.Load("raise").Datagrams)
             tap.Observe(captured.Direction, captured.Bytes, new Reader(sheet));
 
         Assert.True(sheet.IsDescribed);

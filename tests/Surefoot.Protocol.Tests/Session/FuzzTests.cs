@@ -3,6 +3,7 @@ using Surefoot.Protocol.Messages;
 using Surefoot.Protocol.Session;
 using Surefoot.Protocol.Tests.Captures;
 using Surefoot.Protocol.Tests.Support;
+using Surefoot.Tool.Conformance.Captures;
 
 namespace Surefoot.Protocol.Tests.Session;
 
@@ -11,7 +12,7 @@ public class FuzzTests
 {
     private const uint Seed = 0xC11E47;
 
-    private static readonly Capture Walk = Capture.Load("walk"), Loss = Capture.Load("loss-gap-ack");
+    private static readonly Capture Walk = RecordedSessions.Load("walk"), Loss = RecordedSessions.Load("loss-gap-ack");
 
     [Fact, Behaviour("protocol.fuzz.flipped-bits", "08, 2.3")]
     public void A_flipped_bit_anywhere_is_counted_and_the_undamaged_datagram_is_still_taken()

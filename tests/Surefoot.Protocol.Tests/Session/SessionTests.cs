@@ -2,6 +2,7 @@ using Surefoot.Protocol.Messages;
 using Surefoot.Protocol.Session;
 using Surefoot.Protocol.Tests.Captures;
 using Surefoot.Protocol.Tests.Support;
+using Surefoot.Tool.Conformance.Captures;
 
 namespace Surefoot.Protocol.Tests.Session;
 
@@ -96,7 +97,7 @@ public class SessionTests
     [Fact, Behaviour("protocol.session.wrong-version", "08, 3.2")]
     public void A_version_that_the_server_does_not_take_is_told_although_nothing_can_be_checked()
     {
-        Capture capture = Capture.Load("wrong-version");
+        Capture capture = RecordedSessions.Load("wrong-version");
         var options = new ClientSessionOptions { Account = "walker", Password = "x", Version = "1801" };
         var client = new ClientSession(options, new SentDatagrams());
         var received = new ReceivedMessages();
@@ -112,7 +113,7 @@ public class SessionTests
     [Fact, Behaviour("protocol.session.unchecked-words-are-refusals-only", "08, 3.2")]
     public void Before_a_session_is_known_nothing_but_refusals_is_believed()
     {
-        Capture capture = Capture.Load("enter");
+        Capture capture = RecordedSessions.Load("enter");
         var client = new ClientSession(new ClientSessionOptions { Account = "walker", Password = "x" }, new SentDatagrams());
         var received = new ReceivedMessages();
         client.Connect(0);

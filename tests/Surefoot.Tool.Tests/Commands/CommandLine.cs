@@ -12,9 +12,17 @@ internal static class CommandLine
     internal static Task<Outcome> RunAsync(params string[] arguments) => RunAsync(columns: 160, arguments);
 
     /// <summary>Runs the command with the environment variable COLUMNS set, or not.</summary>
-    internal static async Task<Outcome> RunAsync(int? columns, params string[] arguments)
+    internal static Task<Outcome> RunAsync(int? columns, params string[] arguments) => RunAsync(columns, null, arguments);
+
+    /// <summary>Runs the command with something to read from its standard input.</summary>
+    internal static Task<Outcome> RunWithInputAsync(string input, params string[] arguments) => RunAsync(columns: 160, input, arguments);
+
+    private static async Task<Outcome> RunAsync(int? columns, string? input, string[] arguments)
     {
-        ProcessStartInfo start = new("dotnet") { RedirectStandardOutput = true, RedirectStandardError = true };
+        ProcessStartInfo start = new("dotnet")
+        {
+            RedirectStandardOutput = true, RedirectStandardError = true, RedirectStandardInput = input is not null,
+        };
         start.ArgumentList.Add("exec");
         start.ArgumentList.Add(Path.Combine(AppContext.BaseDirectory, "Surefoot.Tool.dll"));
         foreach (string argument in arguments) start.ArgumentList.Add(argument);
@@ -22,6 +30,12 @@ internal static class CommandLine
         else start.Environment.Remove("COLUMNS");
         using Process process = Process.Start(start)!;
         Task<string> output = process.StandardOutput.ReadToEndAsync(), error = process.StandardError.ReadToEndAsync();
+        if (input is not null)
+        {
+            await process.StandardInput.WriteAsync(input);
+            process.StandardInput.Close();
+        }
+
         await process.WaitForExitAsync();
         return new Outcome(process.ExitCode, await output, await error);
     }

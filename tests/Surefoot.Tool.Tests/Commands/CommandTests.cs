@@ -123,55 +123,6 @@ public class CommandTests
         editor.Complete();
     }
 
-    [Fact, Behaviour("tool.conform.whole-folder", "design.md, The tool")]
-    public async Task A_list_of_departures_among_the_vectors_is_read_beside_its_cases()
-    {
-        string vectors = Repository.PathOf("tests", "data", "oracle-vectors");
-        CommandLine.Outcome run = await CommandLine.RunAsync(
-            "conform", "--json", "--dats", Repository.PathOf("tests", "data", "worlds", "oracle"),
-            Path.Combine(vectors, "departures-201.jsonl.gz"), Path.Combine(vectors, "placement-201.jsonl.gz"));
-        Assert.Equal((0, ""), (run.ExitCode, run.Error));
-        using JsonDocument report = JsonDocument.Parse(run.Output);
-        Assert.Equal(0, report.RootElement.GetProperty("reseated").GetProperty("cases").GetInt32());
-    }
-
-    [Fact, Behaviour("tool.conform.families", "design.md, The tool")]
-    public async Task Runs_of_managers_need_no_world_and_are_told_by_family()
-    {
-        string vectors = Repository.PathOf("tests", "data", "remote-vectors");
-        CommandLine.Outcome run = await CommandLine.RunAsync(
-            "conform", "--json", Path.Combine(vectors, "constraint-1.jsonl.gz"), Path.Combine(vectors, "timestamps-1.jsonl.gz"));
-        Assert.Equal((0, ""), (run.ExitCode, run.Error));
-        using JsonDocument report = JsonDocument.Parse(run.Output);
-        JsonElement managers = report.RootElement.GetProperty("managers");
-        Assert.Equal(["constraint", "timestamps"], managers.EnumerateObject().Select(f => f.Name));
-        foreach (JsonProperty family in managers.EnumerateObject())
-            Assert.Equal(family.Value.GetProperty("cases").GetInt32(), family.Value.GetProperty("casesEqual").GetInt32());
-    }
-
-    [Theory, Behaviour("tool.conform.damaged-vectors", "design.md, decision 7")]
-    [InlineData("{", "line 1")]
-    [InlineData("{}", "not a recorded walk")]
-    [InlineData("""{"family":"sticky"}""", "not a recorded run")]
-    public async Task Vectors_that_cannot_be_read_are_one_line_that_names_the_file_and_the_line(string content, string hint)
-    {
-        DirectoryInfo folder = Directory.CreateTempSubdirectory("surefoot-vectors");
-        try
-        {
-            string file = Path.Combine(folder.FullName, "walk.jsonl");
-            await File.WriteAllTextAsync(file, content, TestContext.Current.CancellationToken);
-            CommandLine.Outcome run = await CommandLine.RunAsync("conform", "--dats", Repository.PathOf("tests", "data", "worlds", "first"), file);
-            Assert.Equal(1, run.ExitCode);
-            Assert.Single(run.Error.Split('\n', StringSplitOptions.RemoveEmptyEntries));
-            Assert.Contains("walk.jsonl", run.Error, StringComparison.Ordinal);
-            Assert.Contains(hint, run.Error, StringComparison.Ordinal);
-        }
-        finally
-        {
-            folder.Delete(recursive: true);
-        }
-    }
-
     [Fact, Behaviour("tool.walk.runs-at-the-formulas-speed", "spec/01, 4.1 and 6")]
     public async Task A_scripted_run_covers_the_formulas_distance()
     {

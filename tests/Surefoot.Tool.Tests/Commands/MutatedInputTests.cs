@@ -7,7 +7,7 @@ namespace Surefoot.Tool.Tests.Commands;
 [Collection(ConsoleCollection.Name)]
 public sealed class MutatedInputTests : IDisposable
 {
-    private const int Inputs = 500;
+    private static readonly int Inputs = Fuzz.Cases(500);
     private readonly DirectoryInfo folder = Directory.CreateTempSubdirectory("surefoot-mutated");
     private readonly string before = Environment.CurrentDirectory;
 
@@ -29,6 +29,7 @@ public sealed class MutatedInputTests : IDisposable
     [InlineData("demo write")]
     [InlineData("demo map")]
     [InlineData("demo places")]
+    [InlineData("conform")]
     public async Task Damaged_files_and_wrong_words_end_in_a_sentence(string command)
     {
         Mutations mutations = new(command, folder);
@@ -55,10 +56,11 @@ internal sealed class Mutations
         "0xA9B40001,,,", "meadow", "dungeon", "W", "W 1;", "W+ 1", ";;", "W -1", "W 1e400", "Space 0.1", "Ünïcode", "[red]", "{0}", "%s", "/dev/null", "--help", "--json",
     ];
 
+    private const string Likeliest = "0123456789.-eE,:\"[]{}ABCDEF";
+
     private readonly string command;
     private readonly DirectoryInfo folder;
     private readonly string world;
-    private readonly string vectors;
     private readonly (string Path, byte[] Bytes)[] sources;
 
     internal Mutations(string command, DirectoryInfo folder)
@@ -66,19 +68,17 @@ internal sealed class Mutations
         this.command = command;
         this.folder = folder;
         world = Path.Combine(folder.FullName, "world");
-        vectors = Path.Combine(folder.FullName, "cases.jsonl");
         if (command == "conform")
         {
-            string[] lines = [.. VectorFiles().Select(f => VectorFile.Read(f, line => line).First())];
-            File.WriteAllLines(vectors, lines);
-            world = Repository.PathOf("tests", "data", "worlds", "first");
-            sources = [(vectors, File.ReadAllBytes(vectors))];
+            Directory.CreateDirectory(world);
+            foreach (string path in VectorFiles()) CopyFirstCase(path);
         }
         else
         {
             DemoWorldBuilder.Write(world);
-            sources = [.. Directory.GetFiles(world).Order(StringComparer.Ordinal).Select(path => (path, File.ReadAllBytes(path)))];
         }
+
+        sources = [.. Directory.GetFiles(world).Order(StringComparer.Ordinal).Select(path => (path, File.ReadAllBytes(path)))];
     }
 
     /// <summary>The next command line; the files it reads are damaged now.</summary>
@@ -114,8 +114,16 @@ internal sealed class Mutations
         "demo write" => [Path.Combine(folder.FullName, "out"), "--seed", $"{random.Next(3)}"],
         "demo map" => [Path.Combine(folder.FullName, "map.svg")],
         "demo places" => ["--json"],
-        _ => ["--dats", world, vectors],
+        _ => Recording(random),
     };
+
+    private string[] Recording(Random random)
+    {
+        string file = sources[random.Next(sources.Length)].Path;
+        string dats = Path.GetFileName(file).StartsWith("walk-1", StringComparison.Ordinal) ? "first" : "oracle";
+        string recordings = random.Next(20) == 0 ? world : file;
+        return ["--dats", Repository.PathOf("tests", "data", "worlds", dats), recordings, "--require", $"{random.Next(101)}"];
+    }
 
     private static string Place(Random random) => random.Next(3) switch
     {
@@ -129,12 +137,32 @@ internal sealed class Mutations
         (string path, byte[] whole) = sources[random.Next(sources.Length)];
         foreach ((string other, byte[] bytes) in sources) if (other != path) File.WriteAllBytes(other, bytes);
         byte[] damaged = (byte[])whole.Clone();
-        for (int i = random.Next(1, 30); i > 0 && damaged.Length > 0; i--) damaged[random.Next(damaged.Length)] = (byte)random.Next(path == vectors ? 128 : 256);
+        bool isText = command == "conform";
+        for (int i = random.Next(1, isText ? 6 : 30); i > 0 && damaged.Length > 0; i--)
+            damaged[random.Next(damaged.Length)] = isText ? Likely(random) : (byte)random.Next(256);
         if (random.Next(8) == 0) damaged = damaged[..random.Next(damaged.Length)];
         File.WriteAllBytes(path, damaged);
     }
 
+    /// <summary>A byte that a recording may well have, so that damage often leaves it readable.</summary>
+    private static byte Likely(Random random) => (byte)(random.Next(4) == 0 ? random.Next(128) : Likeliest[random.Next(Likeliest.Length)]);
+
+    /// <summary>Cases of one file for each kind of recording; whole sessions as they are.</summary>
     private static IEnumerable<string> VectorFiles() =>
-        Directory.GetFiles(Repository.PathOf("tests", "data"), "*.jsonl.gz", SearchOption.AllDirectories)
-            .Where(path => !Path.GetFileName(path).StartsWith("departures", StringComparison.Ordinal)).Order(StringComparer.Ordinal);
+        new[] { "vectors", "oracle-vectors", "remote-vectors" }
+            .SelectMany(set => Directory.GetFiles(Repository.PathOf("tests", "data", set), "*.jsonl.gz"))
+            .Append(Repository.PathOf("tests", "data", "wire-captures", "names.jsonl.gz")).Order(StringComparer.Ordinal);
+
+    private void CopyFirstCase(string path)
+    {
+        string name = Path.GetFileName(path)[..^".gz".Length];
+        using VectorFile file = VectorFile.Open(path);
+        bool isSession = VectorKinds.Of(file) == VectorKind.Captures;
+        File.WriteAllLines(Path.Combine(world, name), file.Read(line => line).Take(isSession ? int.MaxValue : 1));
+        if (!isSession) return;
+        string expected = Path.ChangeExtension(name, ".expected.json");
+        using FileStream found = File.OpenRead(Path.Combine(Path.GetDirectoryName(path)!, expected + ".gz"));
+        using StreamReader reader = VectorFile.Unpack(found, found.Name);
+        File.WriteAllText(Path.Combine(world, expected), reader.ReadToEnd());
+    }
 }

@@ -1,5 +1,4 @@
 using Surefoot.Tool.Conformance;
-using Surefoot.Tool.Conformance.Steering;
 
 namespace Surefoot.Tool.Tests.Conformance;
 
@@ -36,11 +35,9 @@ public class ManagerVectorTests
 
     private static ConformanceReport Replay(string family)
     {
-        string file = Repository.PathOf("tests", "data", "remote-vectors", $"{family}-1.jsonl.gz");
-        Assert.True(ManagerVectors.Reads(file));
-        ConformanceReport report = new();
-        foreach (ManagerResult result in ManagerVectors.Run(file)) report.Add(result);
-        return report;
+        using ConformanceRun run = new(null, new SceneFilter(null));
+        run.Add(Repository.PathOf("tests", "data", "remote-vectors", $"{family}-1.jsonl.gz"), static (_, _) => { });
+        return run.Report;
     }
 
     private static string Differences(ConformanceReport report) =>

@@ -1,6 +1,3 @@
-using Surefoot.Dats;
-using Surefoot.Physics.Assets;
-using Surefoot.Physics.World;
 using Surefoot.Tool.Conformance;
 
 namespace Surefoot.Tool.Tests.Conformance;
@@ -19,15 +16,10 @@ public class RecordedWalkTests
     [InlineData("dungeon")]
     public void Recorded_walks_come_out_the_same(string scenes)
     {
-        using DatSet dats = DatSet.Open(Repository.PathOf("tests", "data", "worlds", "first"));
-        PhysicsDataCache cache = new(dats);
-        PhysicsWorld world = new(cache);
-        foreach (uint id in dats.IdsOf(DatRecordType.LandBlock)) world.LoadLandblock(id);
-        WalkReplay replay = new(world, cache.GetSetup);
-        ConformanceReport report = new();
+        using ConformanceRun run = new(new DirectoryInfo(Repository.PathOf("tests", "data", "worlds", "first")), new SceneFilter(scenes));
         foreach (string file in Files.Take(Fuzz.Cases(1)))
-            foreach (WalkCase walk in WalkCase.ReadAll(Repository.PathOf("tests", "data", "vectors", file)))
-                if (walk.Scene.StartsWith(scenes, StringComparison.Ordinal)) report.Add(walk, replay);
+            run.Add(Repository.PathOf("tests", "data", "vectors", file), static (_, _) => { });
+        ConformanceReport report = run.Report;
         Assert.NotEmpty(report.Scenes);
         foreach ((string name, SceneScore reseated, SceneScore free) in report.Scenes)
         {

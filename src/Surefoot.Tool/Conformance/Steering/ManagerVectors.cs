@@ -2,24 +2,28 @@ using System.Text.Json;
 
 namespace Surefoot.Tool.Conformance.Steering;
 
-/// <summary>Files of recorded runs of the managers that move other bodies. They need no world.</summary>
+/// <summary>Recorded runs of the managers that move other bodies. They need no world.</summary>
 internal static class ManagerVectors
 {
-    /// <summary>Is the file one of these? Its first case names a family of them.</summary>
-    internal static bool Reads(string path) => VectorFile.Read(path, static line => JsonElement.Parse(line)).Take(1).Any(
-        first => SteeringReplay.Reads(first) || TimestampReplay.Reads(first));
+    /// <summary>What they drive.</summary>
+    internal static readonly string[] Families = [.. SteeringReplay.Families, TimestampReplay.Family];
 
-    /// <summary>Replays every case of a file.</summary>
-    /// <exception cref="InvalidDataException">A line is not a case; the message names file and line.</exception>
-    internal static IEnumerable<ManagerResult> Run(string path) => VectorFile.Read(path, static line => Run(JsonElement.Parse(line)));
+    /// <summary>What a case aims at.</summary>
+    internal static string TagOf(JsonElement recorded) => recorded.TryGetProperty("tag", out JsonElement tag) ? $"{tag}" : "";
 
-    private static ManagerResult Run(JsonElement recorded)
+    /// <summary>Replays a case.</summary>
+    /// <exception cref="InvalidDataException">It is not one.</exception>
+    internal static ManagerResult Run(JsonElement recorded)
     {
         try
         {
-            return TimestampReplay.Reads(recorded) ? TimestampReplay.Run(recorded) : SteeringReplay.Run(recorded);
+            string? family = recorded.GetProperty("family").GetString();
+            if (!Families.Contains(family)) throw new InvalidDataException($"not a recorded run: the family {family} is another.");
+            return family == TimestampReplay.Family ? TimestampReplay.Run(recorded) : SteeringReplay.Run(recorded);
         }
-        catch (Exception e) when (e is KeyNotFoundException or InvalidOperationException or FormatException or ArgumentException or IndexOutOfRangeException)
+        catch (Exception e) when (
+            e is KeyNotFoundException or InvalidOperationException or FormatException or ArgumentException or IndexOutOfRangeException
+                or OverflowException)
         {
             throw new InvalidDataException($"not a recorded run: {e.Message}", e);
         }

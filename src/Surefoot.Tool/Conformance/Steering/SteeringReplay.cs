@@ -8,13 +8,11 @@ namespace Surefoot.Tool.Conformance.Steering;
 /// <summary>Replays recorded runs of the managers that move other bodies: each case from its start, until something differs.</summary>
 internal static class SteeringReplay
 {
-    private static readonly string[] Families = ["interpolation", "sticky", "constraint", "move-to", "target"];
     private static readonly HashSet<string> Motions = ["do", "stop", "halt", "cancel", "place"];
     private static readonly HashSet<string> MotionsAndReports = [.. Motions, "told"];
 
-    /// <summary>Does the first case of a file belong here?</summary>
-    internal static bool Reads(JsonElement first) =>
-        first.TryGetProperty("family", out JsonElement family) && Families.Contains(family.GetString());
+    /// <summary>What it replays.</summary>
+    internal static readonly string[] Families = ["interpolation", "sticky", "constraint", "move-to", "target"];
 
     /// <summary>Replays a case.</summary>
     internal static ManagerResult Run(JsonElement recorded)

@@ -8,6 +8,9 @@ namespace Surefoot.Tool.Conformance.Steering;
 /// <summary>Replays recorded messages against the nine stamps of one body: which are accepted, and what they do.</summary>
 internal sealed class TimestampReplay
 {
+    /// <summary>What it replays.</summary>
+    internal const string Family = "timestamps";
+
     private const int Dispatched = 1, Stale = 2, Kept = 4;
 
     private static readonly HashSet<string> Effects =
@@ -31,10 +34,6 @@ internal sealed class TimestampReplay
         if (only.TryGetProperty("stamps", out JsonElement list))
             stamps = new MessageStamps([.. list.EnumerateArray().Select(s => s.GetUInt16())]);
     }
-
-    /// <summary>Does the first case of a file belong here?</summary>
-    internal static bool Reads(JsonElement first) =>
-        first.TryGetProperty("family", out JsonElement family) && family.GetString() == "timestamps";
 
     /// <summary>Replays a case.</summary>
     internal static ManagerResult Run(JsonElement run)

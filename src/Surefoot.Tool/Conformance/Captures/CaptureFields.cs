@@ -1,13 +1,14 @@
+using Surefoot.Protocol;
 using Surefoot.Protocol.Messages;
 using Surefoot.Protocol.Session;
 
-namespace Surefoot.Protocol.Tests.Captures;
+namespace Surefoot.Tool.Conformance.Captures;
 
 /// <summary>A message of a recording, read as its type.</summary>
 /// <param name="Fields">Its fields; null for a type that the recordings give none for.</param>
 /// <param name="Unread">Bytes behind them.</param>
-/// <param name="Again">Its bytes as we write them.</param>
-internal sealed record ReadMessage(Fields? Fields, int Unread, byte[] Again);
+/// <param name="Fault">Why it cannot be read, or is not the same when it is written again; null when it can, and is.</param>
+internal sealed record ReadMessage(Fields? Fields, int Unread, string? Fault = null);
 
 /// <summary>Names the fields of messages as the recordings do.</summary>
 internal static partial class CaptureFields
@@ -167,9 +168,13 @@ internal static partial class CaptureFields
     private static ReadMessage As<T>(in WireMessage message, Func<T, Fields>? fields = null)
         where T : IMessage<T>
     {
-        Assert.True(message.TryRead(out T value, out int unread, out WireFault fault), $"{message.Id}: {fault}");
+        if (!message.TryRead(out T value, out int unread, out WireFault fault))
+            return new ReadMessage(null, message.Body.Length, $" cannot be read: {fault}");
         byte[] buffer = new byte[1 << 16];
-        Assert.True(WireMessage.TryWrite(value, buffer, out int length, message.Stamp, message.Guid));
-        return new ReadMessage(fields?.Invoke(value), unread, buffer[..length]);
+        bool isWritten = WireMessage.TryWrite(value, buffer, out int length, message.Stamp, message.Guid);
+        string? difference = unread != 0 ? $" leaves {unread} bytes unread"
+            : isWritten && message.Bytes.SequenceEqual(buffer.AsSpan(0, length)) ? null
+            : " is written with other bytes";
+        return new ReadMessage(fields?.Invoke(value), unread, difference);
     }
 }

@@ -2,7 +2,7 @@ using System.Collections;
 using System.Numerics;
 using System.Text.Json;
 
-namespace Surefoot.Protocol.Tests.Captures;
+namespace Surefoot.Tool.Conformance.Captures;
 
 /// <summary>Fields by name, as the recordings have them; those that are null are absent.</summary>
 internal sealed class Fields : IEnumerable<KeyValuePair<string, object>>
@@ -26,6 +26,16 @@ internal sealed class Fields : IEnumerable<KeyValuePair<string, object>>
     /// <returns>The first difference; null when there is none.</returns>
     public string? DifferenceFrom(JsonElement expected) => Difference(expected, this, "");
 
+    /// <summary>Compares these fields alone with what was recorded, which may have others.</summary>
+    /// <returns>The first difference; null when there is none.</returns>
+    public string? DifferenceWhereTold(JsonElement expected) => Difference(expected, "");
+
+    private string? Difference(JsonElement expected, string path) => values
+        .Select(field => expected.TryGetProperty(field.Key, out JsonElement value)
+            ? Difference(value, field.Value, $"{path}.{field.Key}")
+            : $"{path}.{field.Key} is not expected: {field.Value}")
+        .FirstOrDefault(difference => difference is not null);
+
     private static string? Difference(JsonElement expected, object actual, string path)
     {
         switch (actual)
@@ -40,9 +50,7 @@ internal sealed class Fields : IEnumerable<KeyValuePair<string, object>>
                         return $"{path}.{property.Name} is missing: {property.Value} expected";
                 }
 
-                return fields.values.Select(field => expected.TryGetProperty(field.Key, out JsonElement value)
-                    ? Difference(value, field.Value, $"{path}.{field.Key}")
-                    : $"{path}.{field.Key} is not expected: {field.Value}").FirstOrDefault(difference => difference is not null);
+                return fields.Difference(expected, path);
             case Vector3 vector:
                 return Difference(expected, new[] { vector.X, vector.Y, vector.Z }, path);
             case Quaternion rotation:

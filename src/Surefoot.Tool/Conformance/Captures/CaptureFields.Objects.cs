@@ -1,6 +1,6 @@
 using Surefoot.Protocol.Messages;
 
-namespace Surefoot.Protocol.Tests.Captures;
+namespace Surefoot.Tool.Conformance.Captures;
 
 internal static partial class CaptureFields
 {

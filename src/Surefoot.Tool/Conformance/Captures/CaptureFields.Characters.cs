@@ -1,7 +1,8 @@
 using System.Reflection;
+using Surefoot.Protocol;
 using Surefoot.Protocol.Messages;
 
-namespace Surefoot.Protocol.Tests.Captures;
+namespace Surefoot.Tool.Conformance.Captures;
 
 internal static partial class CaptureFields
 {
@@ -79,16 +80,16 @@ internal static partial class CaptureFields
             ["mana"] = Of(m.Vitals?.Mana),
         },
         ["skills"] = Table(m.Skills, Of),
-        ["options"] = new Fields
+        ["options"] = m.Belongings is not { } belongings ? null : new Fields
         {
             ["flags"] = 0x460,
-            ["options1"] = m.Belongings!.Options1,
-            ["spellBars"] = m.Belongings.SpellBars,
-            ["spellFilters"] = m.Belongings.SpellFilters,
-            ["options2"] = m.Belongings.Options2,
+            ["options1"] = belongings.Options1,
+            ["spellBars"] = belongings.SpellBars,
+            ["spellFilters"] = belongings.SpellFilters,
+            ["options2"] = belongings.Options2,
         },
-        ["inventory"] = m.Belongings.Inventory.Select(item => new Fields { ["guid"] = item.Guid, ["kind"] = item.Kind }),
-        ["equipment"] = m.Belongings.Equipment.Select(item => new Fields
+        ["inventory"] = m.Belongings?.Inventory.Select(item => new Fields { ["guid"] = item.Guid, ["kind"] = item.Kind }),
+        ["equipment"] = m.Belongings?.Equipment.Select(item => new Fields
         {
             ["guid"] = item.Guid,
             ["location"] = item.Location,
