@@ -78,11 +78,13 @@ internal sealed class ConformanceReport
             (int hangingSteps, int hangingWalks) = (Reseated.StepsLastBit, FreeRunning.CasesLastBit);
             verdicts.Add(new Verdict("walks", "re-seated steps", Reseated.Steps - hangingSteps, Reseated.StepsEqual)
             {
-                Required = required ?? Verdict.Walks, Apart = Hanging(hangingSteps),
+                Required = required ?? Verdict.Walks,
+                Apart = Hanging(hangingSteps),
             });
             verdicts.Add(new Verdict("walks", "free-running walks", FreeRunning.Cases - hangingWalks, FreeRunning.CasesEqual)
             {
-                Required = required ?? Verdict.Walks, Apart = Hanging(hangingWalks),
+                Required = required ?? Verdict.Walks,
+                Apart = Hanging(hangingWalks),
             });
         }
 
@@ -91,7 +93,8 @@ internal sealed class ConformanceReport
             int apart = score.ResultsLastBit + score.Explained.Values.Sum();
             verdicts.Add(new Verdict($"peer's {family}", "results", score.Results - apart, score.ResultsEqual)
             {
-                Required = required ?? Verdict.Oracle, Apart = ApartOf(score),
+                Required = required ?? Verdict.Oracle,
+                Apart = ApartOf(score),
             });
         }
 
@@ -100,7 +103,8 @@ internal sealed class ConformanceReport
             string apart = score.TightCases == 0 ? "" : $"{Hanging(score.TightCases)} ({score.TightCasesEqual} of them equal)";
             verdicts.Add(new Verdict(family, "runs", score.Cases, score.CasesEqual)
             {
-                Required = required ?? Verdict.Exact, Apart = apart,
+                Required = required ?? Verdict.Exact,
+                Apart = apart,
             });
         }
 
