@@ -71,7 +71,11 @@ public class WholeMoveTests
 
         private static readonly SetupAsset Shape = new()
         {
-            Id = 0x02000001, Spheres = [new Sphere(new Vector3(0, 0, 0.3f), 0.3f)], Height = 1.8f, Radius = 0.3f, StepUpHeight = 0.6f,
+            Id = 0x02000001,
+            Spheres = [new Sphere(new Vector3(0, 0, 0.3f), 0.3f)],
+            Height = 1.8f,
+            Radius = 0.3f,
+            StepUpHeight = 0.6f,
             StepDownHeight = 0.6f,
         };
 
