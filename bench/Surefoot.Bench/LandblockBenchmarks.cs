@@ -1,6 +1,7 @@
 using BenchmarkDotNet.Attributes;
 using Surefoot.Dats;
 using Surefoot.DemoWorld;
+using Surefoot.Physics;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.World;
 
@@ -19,7 +20,7 @@ public class LandblockBenchmarks
     public void Setup()
     {
         dats = DatSet.Open(DemoWorldCache.GetOrCreate());
-        world = new PhysicsWorld(new PhysicsDataCache(dats));
+        world = new PhysicsEngine(new PhysicsDataCache(dats)).World;
         block = DemoPlaces.All[0].CellId;
     }
 

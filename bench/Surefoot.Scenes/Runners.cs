@@ -32,9 +32,10 @@ public static class Runners
         List<PhysicsBody> runners = [];
         for (int i = 0; i < count; i++)
         {
-            PhysicsBody body = engine.CreateBody(0x80000001 + (uint)i, human, weenie: WeenieTraits.Present | WeenieTraits.Creature);
-            MovementManager movement = new(body, motions, new PlayerWeenie(new CharacterStats(100, 100)));
-            body.AttachMovement(movement);
+            PhysicsBody body = engine.CreateBody(
+                0x80000001 + (uint)i, human, weenie: WeenieTraits.Present | WeenieTraits.Creature,
+                motions: new BodyMotions(motions, new PlayerWeenie(new CharacterStats(100, 100))));
+            MovementManager movement = engine.MovementOf(body)!;
             Vector3 aside = new(spacing * ((i % PerRow) - (PerRow / 2)), spacing * (i / PerRow), 0);
             Position position = new(south.CellId, new Frame(south.Frame.Origin + aside, south.Frame.Rotation));
             position.AdjustToOutside();

@@ -22,8 +22,7 @@ public abstract class SceneRun
     {
         ArgumentNullException.ThrowIfNull(dats);
         Cache = new PhysicsDataCache(dats);
-        World = new PhysicsWorld(Cache);
-        Engine = new PhysicsEngine(World);
+        Engine = new PhysicsEngine(Cache);
         Human = Cache.GetSetup(HumanSetup);
         Motions = MotionTableLoader.Load(dats, Human.DefaultMotionTableId);
     }
@@ -31,7 +30,7 @@ public abstract class SceneRun
     /// <summary>The world's engine.</summary>
     public PhysicsEngine Engine { get; }
 
-    private protected PhysicsWorld World { get; }
+    private protected PhysicsWorld World => Engine.World;
 
     private protected PhysicsDataCache Cache { get; }
 

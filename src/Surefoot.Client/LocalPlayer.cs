@@ -16,14 +16,13 @@ public sealed class LocalPlayer
 {
     private readonly PlayerMessages messages;
 
-    private LocalPlayer(PhysicsEngine engine, PhysicsBody body, MotionTableAsset table, IServerLink server, LocalPlayerOptions options)
+    private LocalPlayer(PhysicsEngine engine, PhysicsBody body, PlayerWeenie weenie, IServerLink server, LocalPlayerOptions options)
     {
         Body = body;
         Server = server;
-        Weenie = new PlayerWeenie(new CharacterStats(0, 0), options.TopSpeedRule);
+        Weenie = weenie;
         Character = new CharacterSheet(options.AttributesRaiseSkills);
-        Movement = new MovementManager(body, table, Weenie);
-        body.AttachMovement(Movement);
+        Movement = engine.MovementOf(body)!;
         PlayerObject player = new(body.Id, options.Stamps);
         Controller = new PlayerMovementController(body, Movement,
             new MovementSender(body, Movement, player, server, options.Observer, engine.Now));
@@ -69,13 +68,14 @@ public sealed class LocalPlayer
         ArgumentNullException.ThrowIfNull(setup);
         ArgumentNullException.ThrowIfNull(table);
         ArgumentNullException.ThrowIfNull(server);
-        PhysicsBody body = engine.CreateBody(
-            id, setup, PhysicsState.Default, WeenieTraits.Present | WeenieTraits.Creature | WeenieTraits.Player);
         options ??= new LocalPlayerOptions();
+        PlayerWeenie weenie = new(new CharacterStats(0, 0), options.TopSpeedRule);
+        PhysicsBody body = engine.CreateBody(
+            id, setup, PhysicsState.Default, WeenieTraits.Present | WeenieTraits.Creature | WeenieTraits.Player, motions: new BodyMotions(table, weenie));
         body.Trace = options.Trace;
         try
         {
-            LocalPlayer player = new(engine, body, table, server, options);
+            LocalPlayer player = new(engine, body, weenie, server, options);
             server.Receive(engine.Now, player.messages);
             if (body.EnterWorld(position)) return player;
         }

@@ -1,4 +1,5 @@
 using System.Numerics;
+using Surefoot.Dats;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Decisions;
@@ -15,7 +16,7 @@ namespace Surefoot.Physics;
 /// <see cref="PhysicsBody.Probe(in Position, TraceBuffer)"/>). Worlds share nothing that is written, so each thread may have its own.
 /// </summary>
 /// <remarks>Retail: CPhysics.</remarks>
-public sealed class PhysicsEngine
+public sealed class PhysicsEngine : ILoadListener
 {
     private readonly BodyTable bodies = new();
     private readonly StaticAnimations statics = new();
@@ -23,23 +24,45 @@ public sealed class PhysicsEngine
     private double lastUpdate;
     private ulong rollState;
 
-    /// <summary>An engine over a world.</summary>
-    /// <param name="world">The cells bodies move through.</param>
-    /// <param name="seed">Seed of scattered placements; part of the state.</param>
-    public PhysicsEngine(ICellWorld world, ulong seed = 1)
+    /// <summary>An engine with a world of its own, of which nothing is loaded yet.</summary>
+    /// <param name="assets">Shapes and records; may be shared with other engines.</param>
+    /// <param name="options">Rules that hold from the beginning.</param>
+    /// <exception cref="DatRecordMissingException">The options give no region, and the files have none.</exception>
+    /// <exception cref="DatFormatException">The region is malformed.</exception>
+    public PhysicsEngine(PhysicsDataCache assets, PhysicsEngineOptions? options = null)
+        : this(MakeWorld(assets, options ??= new PhysicsEngineOptions()), options.Seed)
     {
-        ArgumentNullException.ThrowIfNull(world);
-        World = world;
-        Transitions = new TransitionPool(world);
-        questions = new ThreadLocal<TransitionPool>(() => new TransitionPool(world));
-        rollState = seed;
-        if (world is not PhysicsWorld loaded) return;
-        loaded.Attach(this);
-        foreach (Landblock block in loaded.Landblocks) statics.Add(block, world, Now);
     }
 
-    /// <summary>The cells bodies move through.</summary>
-    public ICellWorld World { get; }
+    /// <summary>An engine that takes over a world.</summary>
+    /// <exception cref="InvalidOperationException">Another one owns it.</exception>
+    internal PhysicsEngine(PhysicsWorld world, ulong seed = 1)
+        : this(world, world, seed)
+    {
+        foreach (Landblock block in world.Landblocks) statics.Add(block, world, Now);
+    }
+
+    /// <summary>An engine over cells that are made up; <see cref="World"/> stays empty.</summary>
+    internal PhysicsEngine(ICellWorld cells)
+        : this(new PhysicsWorld(), cells, seed: 1)
+    {
+    }
+
+    private PhysicsEngine(PhysicsWorld world, ICellWorld cells, ulong seed)
+    {
+        World = world;
+        Cells = cells;
+        Transitions = new TransitionPool(cells);
+        questions = new ThreadLocal<TransitionPool>(() => new TransitionPool(cells));
+        rollState = seed;
+        world.Attach(this);
+    }
+
+    /// <summary>The landblocks that are loaded, and the cells in them. It belongs to this engine alone.</summary>
+    public PhysicsWorld World { get; }
+
+    /// <summary>The cells bodies move through: those of <see cref="World"/>.</summary>
+    internal ICellWorld Cells { get; }
 
     /// <summary>Time of the last call of <see cref="Tick"/>, seconds.</summary>
     public double Now { get; private set; }
@@ -68,15 +91,18 @@ public sealed class PhysicsEngine
     /// <param name="state">Its physics state word.</param>
     /// <param name="weenie">What the server says of it.</param>
     /// <param name="scale">Uniform scale, more than 0.</param>
+    /// <param name="motions">What moves it by itself; null for one that nothing but forces and orders move.</param>
     /// <exception cref="ArgumentException">The id is 0 or taken, or the scale is not a positive number.</exception>
     public PhysicsBody CreateBody(
-        uint id, SetupAsset? setup, PhysicsState state = PhysicsState.Default, WeenieTraits weenie = WeenieTraits.None, float scale = 1f)
+        uint id, SetupAsset? setup, PhysicsState state = PhysicsState.Default, WeenieTraits weenie = WeenieTraits.None, float scale = 1f,
+        BodyMotions? motions = null)
     {
         if (id == 0 || bodies.Find(id) is not null) throw new ArgumentException($"The body id 0x{id:X8} is 0 or taken.", nameof(id));
         if (!(scale > 0) || !float.IsFinite(scale)) throw new ArgumentException("The scale is not a positive number.", nameof(scale));
         PhysicsBody body = new(this, id, setup, state & ~PhysicsState.Static, weenie, scale);
         body.ListContradictions();
         bodies.Add(body);
+        if (motions is not null) body.AttachMovement(new MovementManager(body, motions.Table, motions.Weenie));
         return body;
     }
 
@@ -88,6 +114,16 @@ public sealed class PhysicsEngine
         body.LeaveWorld();
         bodies.Remove(body);
         if (ReferenceEquals(Player, body)) Player = null;
+    }
+
+    /// <summary>The movement side of a body that was made with motions; also of one that got an interpreter by being ordered somewhere.</summary>
+    /// <returns>Null for a body that has no motions.</returns>
+    /// <exception cref="ArgumentException">The body belongs to another engine.</exception>
+    public MovementManager? MovementOf(PhysicsBody body)
+    {
+        ArgumentNullException.ThrowIfNull(body);
+        if (!ReferenceEquals(body.Engine, this)) throw new ArgumentException("The body belongs to another engine.", nameof(body));
+        return body.Movement as MovementManager;
     }
 
     /// <summary>The body with this id, or null.</summary>
@@ -136,23 +172,23 @@ public sealed class PhysicsEngine
         if (!RetailMath.IsFinite(from.Frame.Origin) || !RetailMath.IsFinite(to.Frame.Origin)) throw new ArgumentException("A position is not finite.");
         PhysicsBody probe = new(this, 0, setup, state, weenie, 1f);
         Position begin = from;
-        World.AdjustPosition(ref begin, setup.Spheres.Length > 0 ? setup.Spheres[0].Center : Vector3.Zero, out ObjCell? cell);
+        Cells.AdjustPosition(ref begin, setup.Spheres.Length > 0 ? setup.Spheres[0].Center : Vector3.Zero, out ObjCell? cell);
         probe.SeatAt(begin, cell);
         return cell is null ? default : probe.Probe(to);
     }
 
     /// <summary>Bodies whose cell came with a landblock enter the world again, and its animated statics begin to move.</summary>
     /// <param name="block">The landblock.</param>
-    internal void OnLandblockLoaded(Landblock block)
+    void ILoadListener.OnLandblockLoaded(Landblock block)
     {
-        statics.Add(block, World, Now);
+        statics.Add(block, Cells, Now);
         foreach (PhysicsBody body in bodies)
             if (body.IsLost && CellIds.BlockOf(body.Position.CellId) == block.Id) body.ReenterVisibility();
     }
 
     /// <summary>Bodies in a landblock that goes away wait for it. To be called before it does.</summary>
     /// <param name="blockId">The landblock, 0xXXYY0000.</param>
-    internal void OnLandblockUnloading(uint blockId)
+    void ILoadListener.OnLandblockUnloading(uint blockId)
     {
         statics.Remove(blockId);
         foreach (PhysicsBody body in bodies)
@@ -167,6 +203,12 @@ public sealed class PhysicsEngine
         foreach (PhysicsBody body in bodies) body.AddTo(ref hash);
         statics.AddTo(ref hash);
         return hash.Value;
+    }
+
+    private static PhysicsWorld MakeWorld(PhysicsDataCache assets, PhysicsEngineOptions options)
+    {
+        ArgumentNullException.ThrowIfNull(assets);
+        return new PhysicsWorld(assets, options.Region) { StrictLoading = options.StrictLoading };
     }
 
     /// <summary>What moves a body that does not move by itself.</summary>
@@ -184,6 +226,28 @@ public sealed class PhysicsEngine
         return ((z >> 11) * (2.0 / ((1UL << 53) - 1))) - 1.0;
     }
 }
+
+/// <summary>Rules of a <see cref="PhysicsEngine"/> that hold from the beginning.</summary>
+public sealed record PhysicsEngineOptions
+{
+    /// <summary>Seed of scattered placements; part of the state.</summary>
+    public ulong Seed { get; init; } = 1;
+
+    /// <summary>The region; read from the files when not given. May be shared with other engines.</summary>
+    public RegionAsset? Region { get; init; }
+
+    /// <summary>
+    /// Off, the usual case: what is missing or wrong in the files costs only the thing it belongs to, which <see cref="PhysicsWorld.LeftOut"/> then lists. On, for
+    /// those who write worlds: a landblock with a fault does not load, and loading it throws. Retail's own omissions (buildings, objects and scenes whose own
+    /// record is in no file) are no fault; they are listed either way.
+    /// </summary>
+    public bool StrictLoading { get; init; }
+}
+
+/// <summary>What moves a body by itself.</summary>
+/// <param name="Table">Its motions; null for a body that has none of its own: it gets an interpreter when it is first ordered somewhere.</param>
+/// <param name="Weenie">What the game knows of it; null counts as a creature with run rate 1.</param>
+public sealed record BodyMotions(MotionTableAsset? Table, IWeenieObj? Weenie = null);
 
 /// <summary>Outcome of <see cref="PhysicsEngine.Resolve"/>.</summary>
 /// <param name="Found">A valid position was found; it may be the begin.</param>

@@ -35,7 +35,7 @@ public sealed class Simulation : IDisposable
         Assets = new PhysicsDataCache(dats);
         try
         {
-            World = new PhysicsWorld(Assets);
+            Engine = new PhysicsEngine(Assets);
             Human = Assets.GetSetup(HumanSetup);
             HumanMotions = MotionTableLoader.LoadFor(dats, Human, leftOut: World.LeftOut);
         }
@@ -43,8 +43,6 @@ public sealed class Simulation : IDisposable
         {
             throw new DatFolderException(dats.Folder, $"'{dats.Folder}' has no {e.Type} 0x{e.Id:X8}");
         }
-
-        Engine = new PhysicsEngine(World);
     }
 
     /// <summary>The files.</summary>
@@ -53,8 +51,8 @@ public sealed class Simulation : IDisposable
     /// <summary>What is built from the files, to be shared with other worlds.</summary>
     public PhysicsDataCache Assets { get; }
 
-    /// <summary>The landblocks that are loaded.</summary>
-    public PhysicsWorld World { get; }
+    /// <summary>The engine's world: the landblocks that are loaded.</summary>
+    public PhysicsWorld World => Engine.World;
 
     /// <summary>The engine: other bodies are made here, and asked about.</summary>
     public PhysicsEngine Engine { get; }

@@ -24,12 +24,18 @@ public sealed class DemoFiles : IDisposable
         DemoWorldBuilder.Write(folder);
         dats = DatSet.Open(folder);
         Cache = new PhysicsDataCache(dats);
+        Region = RegionAsset.Load(dats);
         Motions = MotionTableLoader.Load(dats, HumanMotions);
     }
 
     internal PhysicsDataCache Cache { get; }
 
+    internal RegionAsset Region { get; }
+
     internal MotionTableAsset Motions { get; }
+
+    /// <summary>An engine with a world of its own, of which nothing is loaded.</summary>
+    internal PhysicsEngine CreateEngine() => new(Cache, new PhysicsEngineOptions { Region = Region });
 
     internal static Position PlaceOf(DemoSpawn spawn) => new(spawn.CellId, new Frame(spawn.Origin, spawn.Orientation));
 
@@ -72,8 +78,8 @@ internal sealed class DemoWalk
     {
         this.files = files;
         Assert.True(DemoPlaces.TryFind(place, out NamedPlace named));
-        world = new PhysicsWorld(files.Cache);
-        engine = new PhysicsEngine(world);
+        engine = files.CreateEngine();
+        world = engine.World;
         placed = new(named.CellId, new Frame(named.Origin, named.Orientation));
         Position position = new(named.CellId, new Frame(named.Origin + new Vector3(eastward, northward, upward), named.Orientation));
         if (CellIds.IsOutdoor(position.CellId)) position.AdjustToOutside();

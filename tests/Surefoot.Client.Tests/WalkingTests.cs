@@ -1,5 +1,6 @@
 using System.Numerics;
 using CsCheck;
+using Surefoot.Physics;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.Steering;
@@ -101,9 +102,8 @@ public class WalkingTests
     public void Another_body_moves_at_the_forward_speed_of_its_update_motion()
     {
         WalkFixture f = new(new CharacterStats(800, 300));
-        PhysicsBody other = f.Engine.CreateBody(2, WalkFixture.Setup, weenie: WeenieTraits.Present | WeenieTraits.Creature);
-        MovementManager movement = new(other, f.Table, new OtherWeenie());
-        other.AttachMovement(movement);
+        PhysicsBody other = f.Engine.CreateBody(2, WalkFixture.Setup, weenie: WeenieTraits.Present | WeenieTraits.Creature, motions: new BodyMotions(f.Table, new OtherWeenie()));
+        MovementManager movement = f.Engine.MovementOf(other)!;
         Assert.True(other.EnterWorld(new Position(StubWorld.CellId, new Vector3(30, 12, 0))));
         f.Hold(MovementKeys.None, 5);
         movement.ApplyUpdate(new InterpretedMotionState { ForwardCommand = MotionCommand.RunForward, ForwardSpeed = 1.7f }, autonomous: true);

@@ -124,7 +124,7 @@ public sealed partial class PhysicsBody
     {
         if (Cell is null) PrepareToEnterWorld();
         Vector3 foot = Setup is { Spheres.Length: > 0 } ? RetailMath.Scale(Setup.Spheres[0].Center, Scale) : DummySphere[0].Center;
-        engine.World.AdjustPosition(ref place, foot, out ObjCell? cell);
+        engine.Cells.AdjustPosition(ref place, foot, out ObjCell? cell);
         if (cell is null)
         {
             GoToLostCell(place);
@@ -168,7 +168,7 @@ public sealed partial class PhysicsBody
         SetFrame(place.Frame);
         if (ReferenceEquals(cell, Cell)) return PlacementResult.OK;
         ChangeCell(cell);
-        engine.World.CalcCrossCells(this);
+        engine.Cells.CalcCrossCells(this);
         return PlacementResult.OK;
     }
 

@@ -37,7 +37,7 @@ public sealed partial class PhysicsBody
     {
         ThrowIfNotFinite(from.Position.Frame.Origin, nameof(from));
         ThrowIfNotFinite(from.Velocity, nameof(from));
-        return Probe(from, engine.World.GetVisible(from.Position.CellId), to, trace);
+        return Probe(from, engine.Cells.GetVisible(from.Position.CellId), to, trace);
     }
 
     private ResolveResult Probe(in BodySeat from, ObjCell? cell, in Position to, TraceBuffer? trace)
@@ -154,8 +154,8 @@ public sealed partial class PhysicsBody
         HandleAllCollisions(collision, hadContact, hadWalkable, simulatedTime);
 
         if (Cell is null) return;
-        if (State.Has(PhysicsState.HasPhysicsBsp)) engine.World.CalcCrossCells(this);
-        else if (transition.Cells.Count > 0) engine.World.PlaceShadows(this, transition.Cells);
+        if (State.Has(PhysicsState.HasPhysicsBsp)) engine.Cells.CalcCrossCells(this);
+        else if (transition.Cells.Count > 0) engine.Cells.PlaceShadows(this, transition.Cells);
     }
 
     /// <summary>Stores a frame; one whose orientation alone is broken gets a zero quaternion, as in retail.</summary>

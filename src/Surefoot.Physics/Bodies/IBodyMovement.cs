@@ -7,7 +7,7 @@ namespace Surefoot.Physics.Bodies;
 /// the ground is hit or left.
 /// </summary>
 /// <remarks>Retail: MovementManager together with the motion side of CPartArray.</remarks>
-public interface IBodyMovement
+internal interface IBodyMovement
 {
     /// <summary>The body now stands; the bit is already written. Must not start a transition.</summary>
     void HitGround();

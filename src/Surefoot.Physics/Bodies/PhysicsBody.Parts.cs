@@ -27,7 +27,7 @@ public sealed partial class PhysicsBody
     public void SetPlacement(uint value)
     {
         if (Setup is not null && !Setup.HasPlacement(value))
-            engine.World.LeftOut.Add(new LeftOutItem(LeftOutKind.Placement, Setup.Id, $"the setup has no placement 0x{value:X}") { FirstIn = Id });
+            engine.Cells.LeftOut.Add(new LeftOutItem(LeftOutKind.Placement, Setup.Id, $"the setup has no placement 0x{value:X}") { FirstIn = Id });
         placement = value;
         UpdateParts();
     }

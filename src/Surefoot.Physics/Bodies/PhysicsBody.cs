@@ -99,7 +99,7 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody, IHookTarget
     public bool LastCollidedWithEnvironment { get; private set; }
 
     /// <summary>The side that wants to move; null for a body without motions.</summary>
-    public IBodyMovement? Movement { get; private set; }
+    internal IBodyMovement? Movement { get; private set; }
 
     /// <summary>Is told of collisions.</summary>
     public ICollisionListener? Listener { get; set; }
@@ -123,9 +123,8 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody, IHookTarget
     public PhysicsEngine Engine => engine;
 
     /// <summary>Gives the body a side that wants to move, and wakes it.</summary>
-    public void AttachMovement(IBodyMovement movement)
+    internal void AttachMovement(IBodyMovement movement)
     {
-        ArgumentNullException.ThrowIfNull(movement);
         Movement = movement;
         SetActive(true);
     }
@@ -227,7 +226,7 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody, IHookTarget
     /// </summary>
     public void Seat(in BodySeat seat)
     {
-        SeatAt(seat.Position, engine.World.GetVisible(seat.Position.CellId));
+        SeatAt(seat.Position, engine.Cells.GetVisible(seat.Position.CellId));
         UpdateParts();
         velocity = seat.Velocity;
         Transient = (Transient & TransientState.Active) | (seat.Transient & ~TransientState.Active);

@@ -1,4 +1,5 @@
 using System.Numerics;
+using Surefoot.Physics.Geometry;
 using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Bodies;
@@ -24,10 +25,13 @@ internal struct StateHash()
     internal void Add(in Position value)
     {
         Add(value.CellId);
-        Add(value.Frame.Origin);
-        Quaternion q = value.Frame.Rotation;
-        Add(new Vector3(q.X, q.Y, q.Z));
-        Add(q.W);
+        Add(value.Frame);
+    }
+
+    internal void Add(in Frame value)
+    {
+        Add(value.Origin);
+        Add(value.Rotation);
     }
 
     internal void Add(in Vector3 value)

@@ -63,7 +63,7 @@ public sealed partial class PhysicsBody
         }
 
         State &= ~PhysicsState.Ethereal;
-        if (Parent is not null || Cell is null || !engine.World.AnyOverlaps(this))
+        if (Parent is not null || Cell is null || !engine.Cells.AnyOverlaps(this))
         {
             Transient &= ~TransientState.CheckEthereal;
             return true;
@@ -82,7 +82,7 @@ public sealed partial class PhysicsBody
         if (State.Has(PhysicsState.Static) && State.Has(PhysicsState.Missile | PhysicsState.AlignPath | PhysicsState.Sledding))
             List("STATIC, but MISSILE, ALIGNPATH or SLEDDING as well");
 
-        void List(string reason) => engine.World.LeftOut.Add(new LeftOutItem(LeftOutKind.StateBit, Setup?.Id ?? 0, reason) { FirstIn = Id });
+        void List(string reason) => engine.Cells.LeftOut.Add(new LeftOutItem(LeftOutKind.StateBit, Setup?.Id ?? 0, reason) { FirstIn = Id });
     }
 
     /// <summary>Would <paramref name="target"/> be hit by this body where it stands?</summary>

@@ -32,7 +32,7 @@ public sealed partial class PhysicsBody
         ReportCollisionEnd(updateTime, force: true);
         IsLost = false;
         Transient &= ~TransientState.Active;
-        engine.World.RemoveShadows(this);
+        engine.Cells.RemoveShadows(this);
         LeaveCell();
         PositionField.CellId = 0;
         ClearTransientStates();
@@ -75,7 +75,7 @@ public sealed partial class PhysicsBody
     /// <summary>Parks the body at a place whose cell is not loaded.</summary>
     private void GoToLostCell(in Position place)
     {
-        engine.World.RemoveShadows(this);
+        engine.Cells.RemoveShadows(this);
         LeaveCell();
         StorePosition(place);
         IsLost = true;

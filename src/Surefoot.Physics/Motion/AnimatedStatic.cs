@@ -63,6 +63,7 @@ internal sealed class AnimatedStatic : IHookTarget
         hash.Add(item.Scale);
         hash.Add(omega);
         hash.Add(item.Position.Frame.Rotation);
+        for (int i = 0; i < item.PlacedPartCount; i++) hash.Add(item.PartFrame(i));
     }
 
     /// <inheritdoc/>

@@ -10,6 +10,9 @@ public interface ICellWorld
     /// <summary>What the world does without because its record is missing or cannot be read.</summary>
     LeftOutList LeftOut { get; }
 
+    /// <summary>Who may enter guarded cells; without it no player enters one.</summary>
+    IMoveRestrictions? Restrictions { get; }
+
     /// <summary>The loaded cell with this id, or null.</summary>
     ObjCell? GetVisible(uint cellId);
 

@@ -78,7 +78,7 @@ public abstract partial class ObjCell
         WorldObject? mover = transition.Object.Mover;
         if (mover is null) return TransitionState.Collided;
         if (transition.Object.Weenie == WeenieTraits.None || RestrictionObject == 0 || !transition.Object.Has(MoverFlags.IsPlayer)) return TransitionState.OK;
-        IMoveRestrictions? restrictions = (transition.World as PhysicsWorld)?.Restrictions;
+        IMoveRestrictions? restrictions = transition.World.Restrictions;
         if (restrictions is not null && restrictions.CanBypass(mover)) return TransitionState.OK;
         switch (restrictions?.CanMoveInto(RestrictionObject, mover))
         {

@@ -8,7 +8,7 @@ namespace Surefoot.Physics.World;
 public sealed partial class PhysicsWorld
 {
     private readonly LandblockBuilder? builder;
-    private readonly List<WeakReference<PhysicsEngine>> engines = [];
+    private ILoadListener? listener;
 
     /// <summary>Blocks whose faults are in the list: they are counted once, however often a block is loaded.</summary>
     private readonly HashSet<uint> reported = [];
@@ -18,9 +18,8 @@ public sealed partial class PhysicsWorld
     /// <param name="region">The region; read from the cache's source when not given. May be shared with other worlds.</param>
     /// <exception cref="DatRecordMissingException">There is no region.</exception>
     /// <exception cref="DatFormatException">The region is malformed.</exception>
-    public PhysicsWorld(PhysicsDataCache cache, RegionAsset? region = null)
+    internal PhysicsWorld(PhysicsDataCache cache, RegionAsset? region = null)
     {
-        ArgumentNullException.ThrowIfNull(cache);
         Region = region ?? RegionAsset.Load(cache.Source);
         builder = new LandblockBuilder(cache, Region);
     }
@@ -52,7 +51,7 @@ public sealed partial class PhysicsWorld
         if (FindLandblock(blockId) is not null) return true;
         if (Build(CellIds.BlockOf(blockId)) is not { } block) return false;
         Add(block);
-        TellLoaded(block);
+        listener?.OnLandblockLoaded(block);
         return true;
     }
 
@@ -89,7 +88,7 @@ public sealed partial class PhysicsWorld
         finally
         {
             // Bodies come back to land whose neighbours are there.
-            foreach (Landblock block in added) TellLoaded(block);
+            foreach (Landblock block in added) listener?.OnLandblockLoaded(block);
         }
     }
 
@@ -111,11 +110,7 @@ public sealed partial class PhysicsWorld
     public bool UnloadLandblock(uint blockId)
     {
         if (FindLandblock(blockId) is not { } block) return false;
-        foreach (WeakReference<PhysicsEngine> reference in engines)
-        {
-            if (reference.TryGetTarget(out PhysicsEngine? engine)) engine.OnLandblockUnloading(block.Id);
-        }
-
+        listener?.OnLandblockUnloading(block.Id);
         foreach (StaticObject item in block.StaticObjects) item.ClearShadows();
         HashSet<StaticObject> reachIn = [];
         foreach (ObjCell cell in block.Cells)
@@ -154,18 +149,11 @@ public sealed partial class PhysicsWorld
         FillWaitingShadows(block);
     }
 
-    /// <summary>An engine's bodies follow what is loaded and unloaded, as long as somebody holds the engine.</summary>
-    internal void Attach(PhysicsEngine engine)
+    /// <summary>Who is told what is loaded and unloaded: the one engine that owns the world.</summary>
+    /// <exception cref="InvalidOperationException">Another one owns it.</exception>
+    internal void Attach(ILoadListener owner)
     {
-        engines.RemoveAll(static reference => !reference.TryGetTarget(out _));
-        engines.Add(new WeakReference<PhysicsEngine>(engine));
-    }
-
-    private void TellLoaded(Landblock block)
-    {
-        foreach (WeakReference<PhysicsEngine> reference in engines)
-        {
-            if (reference.TryGetTarget(out PhysicsEngine? engine)) engine.OnLandblockLoaded(block);
-        }
+        if (listener is not null) throw new InvalidOperationException("The world belongs to another engine.");
+        listener = owner;
     }
 }

@@ -26,12 +26,12 @@ internal sealed class ConformanceRun(DirectoryInfo? folder, SceneFilter scenes) 
             if (world is not null) return world;
             if (folder is null) throw new UsageException("Walks, sweeps and placements need the world they were recorded in: --dats DIR");
             world = WholeWorld.Open(folder);
-            CommonOptions.SayLeftOut(world.World.LeftOut);
+            CommonOptions.SayLeftOut(world.Engine.World.LeftOut);
             return world;
         }
     }
 
-    private OracleReplay Oracle => oracle ??= OracleReplay.Over(World.Cache.Source, World.World.Landblocks.Select(block => block.Id));
+    private OracleReplay Oracle => oracle ??= OracleReplay.Over(World.Cache.Source, World.Engine.World.Landblocks.Select(block => block.Id));
 
     /// <summary>The files that are meant by files and folders.</summary>
     /// <exception cref="UsageException">A name is empty, or a folder holds no recordings.</exception>
@@ -88,7 +88,7 @@ internal sealed class ConformanceRun(DirectoryInfo? folder, SceneFilter scenes) 
 
     private void AddWalks(VectorFile file, Action<int, int> progress)
     {
-        WalkReplay replay = new(World.World, World.Cache.GetSetup);
+        WalkReplay replay = new(World.Engine, World.Cache.GetSetup);
         var outcomes = file.Read(line =>
         {
             WalkCase walk = WalkCase.Parse(line);

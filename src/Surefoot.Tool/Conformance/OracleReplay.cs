@@ -25,7 +25,7 @@ internal sealed record OracleResult(
 /// the peer change are listed beside them; the lists leave out two departures that the mover's state word tells (<see
 /// cref="DepartureOf"/>).
 /// </summary>
-internal sealed class OracleReplay(ICellWorld world, Func<uint, SetupAsset> setups)
+internal sealed class OracleReplay(PhysicsEngine engine, Func<uint, SetupAsset> setups)
 {
     private const double Tolerance = 0.001;
     private const double NormalTolerance = 1e-4;
@@ -39,26 +39,25 @@ internal sealed class OracleReplay(ICellWorld world, Func<uint, SetupAsset> setu
     internal static OracleReplay Over(IDatSource source, IEnumerable<uint> blocks)
     {
         PhysicsDataCache cache = new(new PeerPortals(source));
-        PhysicsWorld world = new(cache);
-        foreach (uint id in blocks) world.LoadLandblock(id);
-        return new OracleReplay(world, cache.GetSetup);
+        PhysicsEngine engine = new(cache) { RefuseLeavingCells = true };
+        foreach (uint id in blocks) engine.World.LoadLandblock(id);
+        return new OracleReplay(engine, cache.GetSetup);
     }
 
     /// <summary>Replays a case.</summary>
     internal List<OracleResult> Run(OracleCase one)
     {
-        PhysicsEngine engine = new(world) { RefuseLeavingCells = true };
         List<PhysicsBody> bodies = [];
         try
         {
             foreach (OracleBody other in one.Others ?? [])
             {
-                PhysicsBody body = Create(engine, other);
+                PhysicsBody body = Create(other);
                 bodies.Add(body);
                 body.SetPosition(new PlacementRequest(PositionOf(other.Request!, Quaternion.Identity), PlacementFlags.None));
             }
 
-            PhysicsBody mover = Create(engine, one.Mover);
+            PhysicsBody mover = Create(one.Mover);
             bodies.Add(mover);
             return one.Family switch
             {
@@ -193,7 +192,7 @@ internal sealed class OracleReplay(ICellWorld world, Func<uint, SetupAsset> setu
     private static bool SameNormal(Vector3? sliding, Vector3? recorded) =>
         recorded is { } expected ? sliding is { } normal && (normal - expected).Length() <= NormalTolerance : sliding is null;
 
-    private PhysicsBody Create(PhysicsEngine engine, OracleBody body)
+    private PhysicsBody Create(OracleBody body)
     {
         WeenieTraits weenie = WeenieTraits.Present;
         if (body.Player) weenie |= WeenieTraits.Player;

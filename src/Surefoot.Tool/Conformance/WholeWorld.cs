@@ -1,6 +1,6 @@
 using Surefoot.Dats;
+using Surefoot.Physics;
 using Surefoot.Physics.Assets;
-using Surefoot.Physics.World;
 
 namespace Surefoot.Tool.Conformance;
 
@@ -13,13 +13,13 @@ internal sealed class WholeWorld : IDisposable
     {
         this.dats = dats;
         Cache = new PhysicsDataCache(dats);
-        World = new PhysicsWorld(Cache);
-        foreach (uint id in dats.IdsOf(DatRecordType.LandBlock)) World.LoadLandblock(id);
+        Engine = new PhysicsEngine(Cache);
+        foreach (uint id in dats.IdsOf(DatRecordType.LandBlock)) Engine.World.LoadLandblock(id);
     }
 
     internal PhysicsDataCache Cache { get; }
 
-    internal PhysicsWorld World { get; }
+    internal PhysicsEngine Engine { get; }
 
     internal static WholeWorld Open(DirectoryInfo folder) => new(DatSet.Open(folder.FullName));
 

@@ -1,5 +1,6 @@
 using Surefoot.Dats;
 using Surefoot.Dats.Records;
+using Surefoot.Physics;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.World;
 
@@ -25,7 +26,7 @@ internal sealed record WorldCheck(string Region, bool HasRegion, LeftOutList Lef
         try
         {
             region = KindOf(set.Read<Region>(DatIds.Region));
-            world = new PhysicsWorld(new PhysicsDataCache(set));
+            world = new PhysicsEngine(new PhysicsDataCache(set)).World;
         }
         catch (Exception fault) when (fault is DatFormatException or DatRecordMissingException)
         {

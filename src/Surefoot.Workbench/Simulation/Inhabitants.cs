@@ -133,12 +133,12 @@ internal sealed class Inhabitant
         Home = home;
         bool creature = Kind != BodyKind.Door;
         Body = engine.CreateBody(
-            id, setup, creature ? PhysicsState.Default : PhysicsState.ReportCollisions, creature ? WeenieTraits.Present | WeenieTraits.Creature : WeenieTraits.Present);
+            id, setup, creature ? PhysicsState.Default : PhysicsState.ReportCollisions,
+            creature ? WeenieTraits.Present | WeenieTraits.Creature : WeenieTraits.Present,
+            motions: creature ? new BodyMotions(table, new OtherWeenie()) : null);
         Size = ShapeSize.Of(setup, Body.Scale);
         if (!creature) return;
-        MovementManager movement = new(Body, table, new OtherWeenie());
-        Body.AttachMovement(movement);
-        if (Kind == BodyKind.Wanderer) Wanderer = new Wanderer(Body, movement, home, spawn.WanderRadius, seed);
+        if (Kind == BodyKind.Wanderer) Wanderer = new Wanderer(Body, engine.MovementOf(Body)!, home, spawn.WanderRadius, seed);
     }
 
     /// <summary>Unique name.</summary>

@@ -55,13 +55,13 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
         this.logger = logger;
         Name = name;
         cache = new PhysicsDataCache(dats);
-        land = new PhysicsWorld(cache);
-        engine = new PhysicsEngine(land);
+        engine = new PhysicsEngine(cache);
+        land = engine.World;
         human = cache.GetSetup(HumanSetup);
         humanMotions = MotionTableLoader.LoadFor(dats, human, leftOut: land.LeftOut);
         inhabitants = new Inhabitants(engine, cache, spawns, WandererSeed);
         arrival = new Arrival(engine, land, human, cellId => LoadAround(cellId, 1));
-        PhysicsWorld view = new(cache, land.Region);
+        PhysicsWorld view = new PhysicsEngine(cache, new PhysicsEngineOptions { Region = land.Region }).World;
         Places = [.. places.Where(place => view.LoadLandblock(place.CellId) && view.GetVisible(place.CellId) is not null).Select(OnGround)];
         if (Places.Count == 0) Places = [OnGround(KnownPlaces.Somewhere(dats, view.LoadLandblock))];
     }
@@ -181,7 +181,7 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     public BlockShapes? ReadShapes(ushort block)
     {
         uint blockId = (uint)block << 16;
-        PhysicsWorld view = new(cache, land.Region);
+        PhysicsWorld view = new PhysicsEngine(cache, new PhysicsEngineOptions { Region = land.Region }).World;
         return view.LoadLandblock(blockId) ? ShapeCollector.Collect(view.FindLandblock(blockId)!) : null;
     }
 

@@ -89,16 +89,17 @@ public sealed class DamagedFilesProperties : IDisposable
 
         using (dats)
         {
-            PhysicsWorld world;
+            PhysicsEngine engine;
             try
             {
-                world = new PhysicsWorld(new PhysicsDataCache(dats));
+                engine = new PhysicsEngine(new PhysicsDataCache(dats));
             }
             catch (Exception e) when (e is DatFormatException or DatRecordMissingException)
             {
                 return;
             }
 
+            PhysicsWorld world = engine.World;
             world.EnsureLoadedAround(Middle, Radius);
             HashSet<uint> changed = [.. records.Keys.Where(id => !IsSame(BytesOf(dats, id), records[id]))];
             foreach ((uint id, string expected) in sound)
@@ -110,7 +111,7 @@ public sealed class DamagedFilesProperties : IDisposable
             if (changed.Count > 0 && needs.Values.Any(ids => !ids.Overlaps(changed))) beside++;
             foreach (uint id in sound.Keys) AssertAllIsAccountedFor(dats, world, id);
             Assert.Equal(world.LeftOut.Total, world.LeftOut.Sum(item => item.Count) + world.LeftOut.Unlisted);
-            WalkAbout(world);
+            WalkAbout(engine);
         }
     }
 
@@ -135,10 +136,9 @@ public sealed class DamagedFilesProperties : IDisposable
     /// <summary>
     /// A body walks, jumps up and turns about in what is left of the world; whatever it meets, it stays a body with a place.
     /// </summary>
-    private static void WalkAbout(PhysicsWorld world)
+    private static void WalkAbout(PhysicsEngine engine)
     {
-        if (!world.LoadLandblock(Middle.CellId)) return;
-        PhysicsEngine engine = new(world);
+        if (!engine.World.LoadLandblock(Middle.CellId)) return;
         PhysicsBody body = engine.CreateBody(7,
             StubWorld.Setup(new Sphere(new Vector3(0, 0, 0.48f), 0.48f), new Sphere(new Vector3(0, 0, 1.35f), 0.48f)));
         body.AttachMovement(new Strides { Next = new Vector3(0, 0.5f, 0) });

@@ -15,7 +15,6 @@ namespace Surefoot.Client.Tests.Properties;
 public sealed class DeterminismProperties(DemoFiles files) : IClassFixture<DemoFiles>
 {
     private const uint HumanSetup = 0x02000001;
-    private readonly Grounds grounds = new(files);
 
     [Fact]
     [Behaviour("properties.same-inputs-same-bits", "design, decision 5")]
@@ -23,11 +22,40 @@ public sealed class DeterminismProperties(DemoFiles files) : IClassFixture<DemoF
         Trip.Any.Sample(
             trip =>
             {
-                // The second time the world has been used by others in between, and maybe another one is taken.
                 ulong[] first = Hashes(trip), second = Hashes(trip);
                 Assert.Equal(first, second);
             },
             iter: Fuzz.Cases(1500));
+
+    [Fact]
+    [Behaviour("properties.same-inputs-same-bits.statics", "design, decision 5; spec/02, 4.19")]
+    public void The_same_trip_moves_the_parts_of_statics_to_the_same_bits() =>
+        Trip.From([Enumerable.Range(0, DemoPlaces.All.Length).First(i => DemoPlaces.All[i].Name == "windmill")], 6).Sample(
+            trip =>
+            {
+                if (Journey.Begin(files, trip) is not { } journey) return;
+                StaticObject mill = Assert.Single(journey.World.Landblocks.SelectMany(block => block.AnimatedStatics));
+                Frame before = mill.PartFrame(1);
+                ulong[] first = Hashes(journey), second = Hashes(trip);
+                Assert.NotEqual(before, mill.PartFrame(1));
+                Assert.Equal(first, second);
+            },
+            iter: Fuzz.Cases(150));
+
+    [Fact]
+    [Behaviour("engine.hash.poses-of-statics", "design, decision 5; spec/02, 4.19")]
+    public void A_part_of_a_static_that_stands_elsewhere_is_another_state()
+    {
+        PhysicsEngine engine = files.CreateEngine();
+        Assert.True(DemoPlaces.TryFind("windmill", out NamedPlace place));
+        engine.World.EnsureLoadedAround(new Position(place.CellId, place.Origin), 1);
+        StaticObject mill = Assert.Single(engine.World.Landblocks.SelectMany(block => block.AnimatedStatics));
+        ulong still = engine.HashState();
+        mill.Pose(mill.Animation!.PartFrames(mill.Animation.FrameCount / 3));
+        Assert.NotEqual(still, engine.HashState());
+        mill.Pose(mill.Animation.PartFrames(0));
+        Assert.Equal(still, engine.HashState());
+    }
 
     [Fact]
     [Behaviour("properties.loading-order-same-bits", "design.md, decision 1; spec/05, 4.7, 4.11, 4.17")]
@@ -37,7 +65,7 @@ public sealed class DeterminismProperties(DemoFiles files) : IClassFixture<DemoF
             {
                 uint middle = DemoPlaces.All[trip.Place].CellId;
                 uint[] blocks = [.. Enumerable.Range(0, 9).Select(i => CellIds.BlockOf(middle) + (uint)(((i / 3) - 1) << 24) + (uint)(((i % 3) - 1) << 16))];
-                ulong[] inOrder = Hashes(trip, Load(blocks)), shuffled = Hashes(trip, Load([.. order.Select(i => blocks[i])]));
+                ulong[] inOrder = Hashes(trip, blocks), shuffled = Hashes(trip, [.. order.Select(i => blocks[i])]);
                 Assert.Equal(inOrder, shuffled);
             },
             iter: Fuzz.Cases(300));
@@ -81,7 +109,7 @@ public sealed class DeterminismProperties(DemoFiles files) : IClassFixture<DemoF
             trip =>
             {
                 ulong[] silent = Hashes(trip), told = [];
-                grounds.Visit(trip, journey =>
+                Journey.Visit(files, trip, journey =>
                 {
                     foreach (PhysicsBody body in journey.Engine.Bodies) body.Trace = new TraceBuffer(limit: 64);
                     told = Hashes(journey);
@@ -113,67 +141,40 @@ public sealed class DeterminismProperties(DemoFiles files) : IClassFixture<DemoF
         return [.. apart];
     }
 
-    private ulong[] Hashes(Trip trip)
-    {
-        ulong[] hashes = [];
-        grounds.Visit(trip, journey => hashes = Hashes(journey));
-        return hashes;
-    }
-
-    private ulong[] Hashes(Trip trip, PhysicsWorld world) => Journey.Begin(files, world, trip) is { } journey ? Hashes(journey) : [];
+    private ulong[] Hashes(Trip trip, params ReadOnlySpan<uint> loaded) => Journey.Begin(files, trip, loaded) is { } journey ? Hashes(journey) : [];
 
     private static ulong[] Hashes(Journey journey)
     {
-        List<ulong> hashes = [HashBodies(journey.Engine)];
-        journey.Go(() => hashes.Add(HashBodies(journey.Engine)));
+        List<ulong> hashes = [journey.Engine.HashState()];
+        journey.Go(() => hashes.Add(journey.Engine.HashState()));
         return [.. hashes];
-    }
-
-    /// <summary>The engine's own hash would contain every animated static of whatever is loaded, and a world that was used before has more
-    /// loaded.</summary>
-    private static ulong HashBodies(PhysicsEngine engine)
-    {
-        StateHash hash = new();
-        foreach (PhysicsBody body in engine.Bodies) body.AddTo(ref hash);
-        return hash.Value;
-    }
-
-    private PhysicsWorld Load(uint[] blocks)
-    {
-        PhysicsWorld world = new(files.Cache);
-        foreach (uint block in blocks) world.LoadLandblock(block);
-        return world;
     }
 
     /// <summary>A hash of each body after a few seconds; the engine's own hash would contain the order of the table.</summary>
     private ulong[] Throw(int[] order, Vector3[] pushes, int gap)
     {
-        ulong[] hashes = new ulong[Apart.Length];
-        grounds.Borrow(world =>
+        PhysicsEngine engine = files.CreateEngine();
+        foreach (NamedPlace place in Apart) engine.World.EnsureLoadedAround(new Position(place.CellId, place.Origin), 1);
+        SetupAsset human = files.Cache.GetSetup(HumanSetup);
+        // With a gap of 0x10000 all bodies share a bucket of the engine's table, in which the newest is first.
+        uint IdOf(int i) => 0x70000001 + (uint)(i * (gap == 0 ? 0x10000 : gap));
+        foreach (int i in order)
         {
-            foreach (NamedPlace place in Apart) world.EnsureLoadedAround(new Position(place.CellId, place.Origin), 1);
-            PhysicsEngine engine = new(world);
-            SetupAsset human = files.Cache.GetSetup(HumanSetup);
-            // With a gap of 0x10000 all bodies share a bucket of the engine's table, in which the newest is first.
-            uint IdOf(int i) => 0x70000001 + (uint)(i * (gap == 0 ? 0x10000 : gap));
-            foreach (int i in order)
-            {
-                Frame frame = new(Apart[i].Origin + new Vector3(0, 0, 2), Apart[i].Orientation);
-                PhysicsBody body = engine.CreateBody(IdOf(i), human, weenie: WeenieTraits.Present | WeenieTraits.Creature);
-                Assert.True(body.EnterWorld(new Position(Apart[i].CellId, frame)));
-                body.SetVelocity(pushes[i]);
-            }
+            Frame frame = new(Apart[i].Origin + new Vector3(0, 0, 2), Apart[i].Orientation);
+            PhysicsBody body = engine.CreateBody(IdOf(i), human, weenie: WeenieTraits.Present | WeenieTraits.Creature);
+            Assert.True(body.EnterWorld(new Position(Apart[i].CellId, frame)));
+            body.SetVelocity(pushes[i]);
+        }
 
-            for (int tick = 1; tick <= 90; tick++) engine.Tick(tick * ((1.0 / 30) + 1e-9));
-            for (int i = 0; i < hashes.Length; i++)
-            {
-                StateHash hash = new();
-                engine.Find(IdOf(i))!.AddTo(ref hash);
-                hashes[i] = hash.Value;
-            }
+        for (int tick = 1; tick <= 90; tick++) engine.Tick(tick * ((1.0 / 30) + 1e-9));
+        ulong[] hashes = new ulong[Apart.Length];
+        for (int i = 0; i < hashes.Length; i++)
+        {
+            StateHash hash = new();
+            engine.Find(IdOf(i))!.AddTo(ref hash);
+            hashes[i] = hash.Value;
+        }
 
-            foreach (PhysicsBody body in engine.Bodies.ToArray()) engine.RemoveBody(body);
-        });
         return hashes;
     }
 }

@@ -166,10 +166,10 @@ public sealed class ExceptionTests(DemoFiles files) : IClassFixture<DemoFiles>
     private (PhysicsWorld World, PhysicsEngine Engine, Position Place) At(string name, Vector3 offset)
     {
         Assert.True(DemoPlaces.TryFind(name, out NamedPlace named));
-        PhysicsWorld world = new(files.Cache);
+        PhysicsEngine engine = files.CreateEngine();
         Position place = new(named.CellId, named.Origin + offset);
-        world.EnsureLoadedAround(place, 1);
-        return (world, new PhysicsEngine(world), place);
+        engine.World.EnsureLoadedAround(place, 1);
+        return (engine.World, engine, place);
     }
 
     /// <summary>Puts a body somewhere and lets it come to rest.</summary>

@@ -1,4 +1,3 @@
-using System.Collections.Concurrent;
 using System.Numerics;
 using Surefoot.DemoWorld;
 using Surefoot.Physics;
@@ -11,33 +10,6 @@ using Surefoot.Physics.World;
 using Surefoot.Server;
 
 namespace Surefoot.Client.Tests.Properties;
-
-/// <summary>The demo world's land, loaded where trips lead, used by one trip after another.</summary>
-internal sealed class Grounds(DemoFiles files)
-{
-    private readonly ConcurrentBag<PhysicsWorld> idle = [];
-
-    /// <summary>Makes a trip; whatever it brought into the world is taken out again.</summary>
-    /// <param name="trip">The trip.</param>
-    /// <param name="visit">Is given the journey before its first step, unless its place is taken.</param>
-    internal void Visit(Trip trip, Action<Journey> visit)
-    {
-        Borrow(world =>
-        {
-            if (Journey.Begin(files, world, trip) is not { } journey) return;
-            visit(journey);
-            journey.End();
-        });
-    }
-
-    /// <summary>Lends a world to someone who leaves no body in it. One in which something failed is not used again.</summary>
-    internal void Borrow(Action<PhysicsWorld> use)
-    {
-        if (!idle.TryTake(out PhysicsWorld? world)) world = new PhysicsWorld(files.Cache);
-        use(world);
-        idle.Add(world);
-    }
-}
 
 /// <summary>A player on a trip among whoever is spawned near its beginning; the others stand still.</summary>
 internal sealed class Journey
@@ -53,17 +25,15 @@ internal sealed class Journey
     private static readonly SetupAsset Arrow = new() { Id = 0x02FF0002, Spheres = [new Sphere(Vector3.Zero, 0.1f)] };
 
     private readonly Trip trip;
-    private readonly PhysicsWorld world;
     private readonly LocalPlayer? player;
     private readonly Strides strides = new();
     private readonly double frameTime;
     private uint block;
     private int frames;
 
-    private Journey(Trip trip, PhysicsWorld world, PhysicsEngine engine, PhysicsBody body, LocalPlayer? player)
+    private Journey(Trip trip, PhysicsEngine engine, PhysicsBody body, LocalPlayer? player)
     {
         this.trip = trip;
-        this.world = world;
         this.player = player;
         Engine = engine;
         Body = body;
@@ -71,32 +41,41 @@ internal sealed class Journey
         frameTime = trip.FrameTime == 1 ? Frame : trip.FrameTime / 30.0;
     }
 
-    internal PhysicsWorld World => world;
+    internal PhysicsWorld World => Engine.World;
 
     internal PhysicsEngine Engine { get; }
 
     internal PhysicsBody Body { get; }
 
-    /// <summary>Begins a trip if its place is free by retail's placement without sliding.</summary>
-    internal static Journey? Begin(DemoFiles files, PhysicsWorld world, Trip trip)
+    /// <summary>Begins a trip in a world of its own, if its place is free by retail's placement without sliding.</summary>
+    /// <param name="files">The demo world.</param>
+    /// <param name="trip">The trip.</param>
+    /// <param name="loaded">Blocks that are loaded first, in this order.</param>
+    internal static Journey? Begin(DemoFiles files, Trip trip, params ReadOnlySpan<uint> loaded)
     {
-        Position start = StartOf(world, DemoPlaces.All[trip.Place], trip);
-        PhysicsEngine engine = new(world);
+        PhysicsEngine engine = files.CreateEngine();
+        foreach (uint block in loaded) engine.World.LoadLandblock(block);
+        Position start = StartOf(engine.World, DemoPlaces.All[trip.Place], trip);
         SpawnOthers(files, engine, start);
         PhysicsBody body = Create(files, engine, trip.Who);
-        if (!body.EnterWorld(start, slide: false) || body.IsLost)
-        {
-            Leave(engine);
-            return null;
-        }
+        if (!body.EnterWorld(start, slide: false) || body.IsLost) return null;
 
-        if (trip.Who != Traveller.Player) return new Journey(trip, world, engine, body, null);
+        if (trip.Who != Traveller.Player) return new Journey(trip, engine, body, null);
         // A player comes into the world by itself, to the same place.
         engine.RemoveBody(body);
         LoopbackServer server = new(Id, new CharacterStats(trip.RunSkill, trip.JumpSkill), engine.Now);
         LocalPlayer player = LocalPlayer.Spawn(engine, Id, body.Setup!, files.Motions, start, server)!;
         engine.Player = player.Body;
-        return new Journey(trip, world, engine, player.Body, player);
+        return new Journey(trip, engine, player.Body, player);
+    }
+
+    /// <summary>Makes a trip.</summary>
+    /// <param name="files">The demo world.</param>
+    /// <param name="trip">The trip.</param>
+    /// <param name="visit">Is given the journey before its first step, unless its place is taken.</param>
+    internal static void Visit(DemoFiles files, Trip trip, Action<Journey> visit)
+    {
+        if (Begin(files, trip) is { } journey) visit(journey);
     }
 
     /// <summary>Does all deeds of the trip, as long as the body is somewhere.</summary>
@@ -114,14 +93,12 @@ internal sealed class Journey
         }
     }
 
-    internal void End() => Leave(Engine);
-
     private void Step(MovementKeys keys)
     {
         if (CellIds.BlockOf(Body.Position.CellId) != block)
         {
             block = CellIds.BlockOf(Body.Position.CellId);
-            world.EnsureLoadedAround(Body.Position, 1);
+            World.EnsureLoadedAround(Body.Position, 1);
         }
 
         frames++;
@@ -159,11 +136,6 @@ internal sealed class Journey
             Traveller.Missile => engine.CreateBody(Id, Arrow, missile, WeenieTraits.Present),
             _ => engine.CreateBody(Id, human, PhysicsState.Default, beast, 1.5f),
         };
-    }
-
-    private static void Leave(PhysicsEngine engine)
-    {
-        foreach (PhysicsBody body in engine.Bodies.ToArray()) engine.RemoveBody(body);
     }
 
     private static Position StartOf(PhysicsWorld world, NamedPlace named, Trip trip)

@@ -11,14 +11,12 @@ namespace Surefoot.Client.Tests.Properties;
 /// <summary>What holds for every body on every way through the demo world.</summary>
 public sealed class MovementProperties(DemoFiles files) : IClassFixture<DemoFiles>
 {
-    private readonly Grounds grounds = new(files);
-
     [Fact]
     [Behaviour("properties.ends-outside-every-solid", "design.md, decision 1; spec/03, 4.8.3 and 4.9: the placement insert")]
     public void Any_way_from_a_free_place_ends_outside_every_solid_by_retails_own_test()
     {
         Trip.Any.Sample(
-            trip => grounds.Visit(trip, journey =>
+            trip => Journey.Visit(files, trip, journey =>
             {
                 SolidTest test = new(journey.World);
                 Stand stand = test.Judge(journey.Body);
@@ -40,7 +38,7 @@ public sealed class MovementProperties(DemoFiles files) : IClassFixture<DemoFile
     public void One_sweep_of_any_length_ends_outside_every_solid()
     {
         Gen.Select(Trip.Any, Trip.Ways.Array[1, 8]).Sample(
-            (trip, ways) => grounds.Visit(trip, journey =>
+            (trip, ways) => Journey.Visit(files, trip, journey =>
             {
                 PhysicsBody body = journey.Body;
                 SolidTest test = new(journey.World);
@@ -62,7 +60,7 @@ public sealed class MovementProperties(DemoFiles files) : IClassFixture<DemoFile
     public void Nothing_ever_becomes_infinite_or_no_number()
     {
         Trip.Any.Sample(
-            trip => grounds.Visit(trip, journey =>
+            trip => Journey.Visit(files, trip, journey =>
             {
                 PhysicsBody body = journey.Body;
                 journey.Go(() =>
@@ -84,7 +82,7 @@ public sealed class MovementProperties(DemoFiles files) : IClassFixture<DemoFile
     public void A_step_leads_no_further_than_asked_plus_the_step_heights()
     {
         Trip.Any.Sample(
-            trip => grounds.Visit(trip, journey =>
+            trip => Journey.Visit(files, trip, journey =>
             {
                 TraceBuffer trace = new();
                 journey.Body.Trace = trace;

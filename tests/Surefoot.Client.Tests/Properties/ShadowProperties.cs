@@ -50,8 +50,8 @@ public sealed class ShadowProperties(DemoFiles files) : IClassFixture<DemoFiles>
         deed.Array[1, 40].Sample(
             deeds =>
             {
-                PhysicsWorld world = new(files.Cache);
-                PhysicsEngine engine = new(world);
+                PhysicsEngine engine = files.CreateEngine();
+                PhysicsWorld world = engine.World;
                 foreach (uint block in Blocks) world.LoadLandblock(block);
                 foreach (Deed d in deeds) Do(d, world, engine);
                 HashSet<uint> walkedOff = Settle(engine);
@@ -65,8 +65,8 @@ public sealed class ShadowProperties(DemoFiles files) : IClassFixture<DemoFiles>
     [Behaviour("properties.exception.turned-where-it-stands", "spec/02, 4.13 step 11: shadows are renewed by a commit, and turning commits nothing")]
     public void Parts_that_turn_keep_the_shadows_of_the_last_commit()
     {
-        PhysicsWorld world = new(files.Cache);
-        PhysicsEngine engine = new(world);
+        PhysicsEngine engine = files.CreateEngine();
+        PhysicsWorld world = engine.World;
         foreach (uint block in Blocks) world.LoadLandblock(block);
         // A door of 1.2 m whose middle is 0.3 m east of a border between two squares of land, along the border and then across it.
         Position place = new(TownBlock | 0x1C, new Vector3(96.3f, 60, 0));
@@ -87,8 +87,8 @@ public sealed class ShadowProperties(DemoFiles files) : IClassFixture<DemoFiles>
     [Behaviour("properties.exception.refused-while-lost", "spec/02, 4.16 steps 1 and 6, 4.17 prepare_to_enter_world: the lost cell is left before the place is tried")]
     public void A_lost_body_that_is_refused_somewhere_is_nowhere_until_it_is_put_where_it_fits()
     {
-        PhysicsWorld world = new(files.Cache);
-        PhysicsEngine engine = new(world);
+        PhysicsEngine engine = files.CreateEngine();
+        PhysicsWorld world = engine.World;
         foreach (uint block in Blocks) world.LoadLandblock(block);
         NamedPlace bridge = PlaceOf("footbridge"), town = PlaceOf("town");
         Position taken = new(town.CellId, town.Origin), free = new(town.CellId, town.Origin + new Vector3(0, 3, 0));
@@ -196,8 +196,8 @@ public sealed class ShadowProperties(DemoFiles files) : IClassFixture<DemoFiles>
     /// <summary>The lists of a world into which the same blocks were loaded, and the same bodies put where they are.</summary>
     private string Afresh(PhysicsWorld world, PhysicsEngine engine, HashSet<uint> leftOut)
     {
-        PhysicsWorld fresh = new(files.Cache);
-        PhysicsEngine another = new(fresh);
+        PhysicsEngine another = files.CreateEngine();
+        PhysicsWorld fresh = another.World;
         foreach (Landblock block in world.Landblocks) fresh.LoadLandblock(block.Id);
         Transition path = new(fresh);
         foreach (PhysicsBody body in engine.Bodies.OrderBy(b => b.Id))

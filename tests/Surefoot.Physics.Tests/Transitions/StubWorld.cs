@@ -29,6 +29,8 @@ internal sealed class StubWorld : ICellWorld
 
     public LeftOutList LeftOut { get; } = new();
 
+    public IMoveRestrictions? Restrictions => null;
+
     public ObjCell? GetVisible(uint cellId) => cellId == CellId ? cell : null;
 
     public void FindCellList(CellArray array, SpherePath path, bool wantHome, ref ObjCell? home)
