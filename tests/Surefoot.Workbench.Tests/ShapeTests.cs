@@ -5,6 +5,7 @@ using Microsoft.Extensions.Logging.Abstractions;
 using Surefoot.Dats;
 using Surefoot.Dats.Records;
 using Surefoot.DemoWorld;
+using Surefoot.Physics;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.World;
 using Surefoot.Workbench.Simulation;
@@ -21,12 +22,12 @@ public sealed class ShapeTests
     [Behaviour("workbench.shapes.resting-pose", "spec/06, 3: every object is made with placement 0x65")]
     public void An_object_is_drawn_as_it_rests()
     {
-        PhysicsWorld world = new(new PhysicsDataCache(new Records(
+        PhysicsWorld world = new PhysicsEngine(new PhysicsDataCache(new Records(
             new Region { Id = 0x13000000, HeightTable = [.. Enumerable.Repeat(0f, 256)] },
             new LandBlock { Id = Block, InfoFlag = 1, Terrain = [.. new ushort[81]], Heights = [.. new byte[81]] },
             new LandBlockInfo { Id = Block - 1, Objects = [new StaticObject(Thing, At(100))] },
             new Setup { Id = Thing, PartIds = [Mesh], PlacementFrames = [new PlacementFrame(0, new AnimFrame([At(1)])), new PlacementFrame(0x65, new AnimFrame([At(3)]))] },
-            Triangle)));
+            Triangle))).World;
         Assert.True(world.LoadLandblock(Block));
         BlockShapes shapes = ShapeCollector.Collect(world.FindLandblock(Block)!);
         Assert.Equal([103f, 104f, 104f], shapes.Objects.Select(corner => corner.X));

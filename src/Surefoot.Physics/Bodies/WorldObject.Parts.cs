@@ -40,9 +40,6 @@ public partial class WorldObject
         placedParts = Math.Max(placedParts, count);
     }
 
-    /// <summary>Puts the first parts back where they were.</summary>
-    private protected void RestoreParts(ReadOnlySpan<Frame> frames) => frames.CopyTo(parts);
-
     /// <summary>From now on the parts are where <see cref="StillPose"/> has them.</summary>
     private protected void ForgetParts()
     {

@@ -19,7 +19,7 @@ internal sealed class AnimatedStatic : IHookTarget
     private double updateTime;
 
     /// <summary>Begins at the first frame.</summary>
-    /// <param name="item">A static with an animation; it is again as it was made.</param>
+    /// <param name="item">A static with an animation, as it was made.</param>
     /// <param name="cells">The cells it stands in.</param>
     /// <param name="now">Seconds.</param>
     internal AnimatedStatic(StaticObject item, ICellWorld cells, double now)
@@ -27,7 +27,6 @@ internal sealed class AnimatedStatic : IHookTarget
         this.item = item;
         this.cells = cells;
         updateTime = now;
-        item.Rewind();
         sequence.Append(new AnimationSpan(item.Animation!, 0, -1, Framerate), 1f);
     }
 

@@ -30,12 +30,8 @@ public sealed partial class PhysicsWorld
     /// <summary>What all landblocks share.</summary>
     public RegionAsset Region { get; }
 
-    /// <summary>
-    /// Off, the usual case: what is missing or wrong in the files costs only the thing it belongs to, which <see cref="LeftOut"/> then
-    /// lists. On, for those who write worlds: a landblock with a fault does not load, and loading it throws. Retail's own omissions
-    /// (buildings, objects and scenes whose own record is in no file) are no fault; they are listed either way.
-    /// </summary>
-    public bool StrictLoading { get; init; }
+    /// <summary>A landblock with a fault does not load, and loading it throws; see <c>PhysicsEngineOptions.StrictLoading</c>.</summary>
+    public bool StrictLoading { get; internal init; }
 
     /// <summary>Loads a block with all its rooms, buildings, objects and scenery.</summary>
     /// <param name="blockId">Any id of the block.</param>

@@ -11,8 +11,8 @@ namespace Surefoot.Physics.World;
 /// </summary>
 public sealed class StaticObject : WorldObject
 {
-    /// <summary>How an object that moves its parts was made; null for the many that do not.</summary>
-    private readonly Beginning? beginning;
+    /// <summary>Where the parts of an object that moves them were when it was made; null for the many that do not.</summary>
+    private readonly Frame[]? firstParts;
 
     /// <summary>An object as retail makes it: its frame is set before its scale, which therefore does not reach the places of its parts.</summary>
     internal StaticObject(SetupAsset setup, in Position position, ulong order, ObjCell cell, float scale, AnimationAsset? animation = null)
@@ -24,7 +24,7 @@ public sealed class StaticObject : WorldObject
         SeatAt(position, cell);
         if (animation is null) return;
         PlaceParts(animation.PartFrames(0), StillScale);
-        beginning = new Beginning(position.Frame, scale, State, [.. Enumerable.Range(0, PlacedPartCount).Select(PartFrame)]);
+        firstParts = [.. Enumerable.Range(0, PlacedPartCount).Select(PartFrame)];
     }
 
     /// <summary>It was strewn by the rules of the terrain, and stands in no record.</summary>
@@ -46,23 +46,11 @@ public sealed class StaticObject : WorldObject
     private protected override float StillScale => 1f;
 
     /// <summary>Where a part was when the object was made, which decides the cells it is listed in.</summary>
-    internal Frame FirstPartFrame(int index) => beginning is null ? PartFrame(index) : beginning.Parts[index];
+    internal Frame FirstPartFrame(int index) => firstParts is null ? PartFrame(index) : firstParts[index];
 
     /// <summary>Moves the parts to a pose of the animation, by the scale of this moment.</summary>
     internal void Pose(ReadOnlySpan<Frame> pose) => PlaceParts(pose, Scale);
 
     /// <summary>Turns the object by a rotation vector, radians, world axes; its parts follow with the next pose.</summary>
     internal void Turn(in Vector3 radians) => PositionField.Frame.RotateGlobal(radians);
-
-    /// <summary>Is again as it was made.</summary>
-    internal void Rewind()
-    {
-        if (beginning is null) return;
-        PositionField.Frame = beginning.Frame;
-        Scale = beginning.Scale;
-        State = beginning.State;
-        RestoreParts(beginning.Parts);
-    }
-
-    private sealed record Beginning(Frame Frame, float Scale, PhysicsState State, Frame[] Parts);
 }

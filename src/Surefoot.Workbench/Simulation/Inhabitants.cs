@@ -5,7 +5,6 @@ using Surefoot.Physics;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Motion;
-using Surefoot.Physics.Steering;
 using Surefoot.Physics.World;
 
 namespace Surefoot.Workbench.Simulation;

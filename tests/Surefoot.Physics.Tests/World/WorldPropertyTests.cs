@@ -38,9 +38,8 @@ public sealed class WorldPropertyTests(FirstWorld files) : IClassFixture<FirstWo
         Gen.Select(Gen.Float[-0.25f, 0.25f], Gen.Float[-0.25f, 0.25f], Gen.Int[-3, 3], Gen.Int[-3, 3], Gen.Float[-6, 6], Gen.Float[-6, 6]).Sample(
             (east, north, slopeX, slopeY, x, y) =>
             {
-                PhysicsWorld world = Slope(slopeX, slopeY);
-                Vector3[] away = Walk(world, new Vector3(96 + x, 96 + y, 0), new Vector3(east, north, 0));
-                Vector3[] border = Walk(world, new Vector3(192 + x, 192 + y, 0), new Vector3(east, north, 0));
+                Vector3[] away = Walk(Slope(slopeX, slopeY), new Vector3(96 + x, 96 + y, 0), new Vector3(east, north, 0));
+                Vector3[] border = Walk(Slope(slopeX, slopeY), new Vector3(192 + x, 192 + y, 0), new Vector3(east, north, 0));
                 for (int i = 0; i < away.Length; i++) Assert.Equal(0, (away[i] - border[i]).Length(), 2e-3f);
             },
             iter: Fuzz.Cases(40));
