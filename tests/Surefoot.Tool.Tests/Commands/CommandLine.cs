@@ -19,17 +19,18 @@ internal static class CommandLine
 
     private static async Task<Outcome> RunAsync(int? columns, string? input, string[] arguments)
     {
-        ProcessStartInfo start = new("dotnet")
-        {
-            RedirectStandardOutput = true,
-            RedirectStandardError = true,
-            RedirectStandardInput = input is not null,
-        };
-        start.ArgumentList.Add("exec");
-        start.ArgumentList.Add(Path.Combine(AppContext.BaseDirectory, "Surefoot.Tool.dll"));
-        foreach (string argument in arguments) start.ArgumentList.Add(argument);
+        ProcessStartInfo start = new("dotnet", ["exec", Path.Combine(AppContext.BaseDirectory, "Surefoot.Tool.dll"), .. arguments]);
         if (columns is { } width) start.Environment["COLUMNS"] = width.ToString(CultureInfo.InvariantCulture);
         else start.Environment.Remove("COLUMNS");
+        return await RunAsync(start, input);
+    }
+
+    /// <summary>Runs any program to its end.</summary>
+    /// <param name="start">The program.</param>
+    /// <param name="input">What it reads from its standard input; null leaves that as it is.</param>
+    internal static async Task<Outcome> RunAsync(ProcessStartInfo start, string? input = null)
+    {
+        (start.RedirectStandardOutput, start.RedirectStandardError, start.RedirectStandardInput) = (true, true, input is not null);
         using Process process = Process.Start(start)!;
         Task<string> output = process.StandardOutput.ReadToEndAsync(), error = process.StandardError.ReadToEndAsync();
         if (input is not null)

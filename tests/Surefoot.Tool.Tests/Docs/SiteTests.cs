@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using System.Text.RegularExpressions;
+using Surefoot.Tool.Tests.Commands;
 
 namespace Surefoot.Tool.Tests.Docs;
 
@@ -10,14 +11,9 @@ public partial class SiteTests
     public async Task The_documentation_builds_as_a_site_whose_own_links_all_lead_somewhere()
     {
         Assert.SkipWhen(OperatingSystem.IsWindows(), "docs-site is a shell script.");
-        ProcessStartInfo start = new("bash") { WorkingDirectory = Repository.Root, RedirectStandardOutput = true, RedirectStandardError = true };
-        start.ArgumentList.Add("docs-site");
-        start.ArgumentList.Add("--no-build");
-        using Process process = Process.Start(start)!;
-        Task<string> output = process.StandardOutput.ReadToEndAsync(TestContext.Current.CancellationToken);
-        Task<string> error = process.StandardError.ReadToEndAsync(TestContext.Current.CancellationToken);
-        await process.WaitForExitAsync(TestContext.Current.CancellationToken);
-        Assert.True(process.ExitCode == 0, $"{await output}\n{await error}");
+        ProcessStartInfo start = new("bash", ["docs-site", "--no-build"]) { WorkingDirectory = Repository.Root };
+        CommandLine.Outcome run = await CommandLine.RunAsync(start);
+        Assert.True(run.ExitCode == 0, $"{run.Output}\n{run.Error}");
 
         string site = Repository.PathOf("artifacts", "site");
         string[] pages = Directory.GetFiles(site, "*.html", SearchOption.AllDirectories);
