@@ -1,5 +1,4 @@
 using System.Numerics;
-using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.World;
 

@@ -1,6 +1,6 @@
 using System.Numerics;
-using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Motion;
+using Surefoot.Physics.World;
 
 namespace Surefoot.Client.Tests;
 

@@ -1,4 +1,5 @@
 using System.Numerics;
+using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Bodies;
 

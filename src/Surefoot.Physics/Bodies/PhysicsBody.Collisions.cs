@@ -1,6 +1,7 @@
 using System.Numerics;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Transitions;
+using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Bodies;
 

@@ -1,7 +1,7 @@
 using System.Numerics;
-using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
+using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Transitions;
 

@@ -1,6 +1,7 @@
 using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Transitions.Obstacles;
+using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Transitions;
 
@@ -102,7 +103,7 @@ public sealed partial class Transition
 
     /// <summary>Does the object overlap the body where it stands?</summary>
     /// <remarks>Retail: CTransition::check_collisions @0x0050AA00.</remarks>
-    internal bool CheckCollisions(Bodies.WorldObject target)
+    internal bool CheckCollisions(WorldObject target)
     {
         Path.InsertType = InsertType.Placement;
         Path.SetCheckPos(Path.CurrPos, Path.CurrCell);

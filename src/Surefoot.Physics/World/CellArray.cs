@@ -1,6 +1,4 @@
-using Surefoot.Physics.World;
-
-namespace Surefoot.Physics.Transitions;
+namespace Surefoot.Physics.World;
 
 /// <summary>The ordered list of cells that a sphere path reaches; cells are tested in this order.</summary>
 /// <remarks>Retail: CELLARRAY.</remarks>

@@ -1,7 +1,5 @@
 using Surefoot.Physics.Assets;
-using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
-using Surefoot.Physics.Transitions;
 
 namespace Surefoot.Physics.World;
 

@@ -1,4 +1,3 @@
-using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Transitions;
 using Surefoot.Physics.Transitions.Obstacles;

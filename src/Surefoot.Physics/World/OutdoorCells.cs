@@ -1,6 +1,5 @@
 using System.Numerics;
 using Surefoot.Physics.Geometry;
-using Surefoot.Physics.Transitions;
 
 namespace Surefoot.Physics.World;
 

@@ -1,4 +1,4 @@
-namespace Surefoot.Physics.Bodies;
+namespace Surefoot.Physics.World;
 
 /// <summary>The physics state word of an object, as the wire and the dat files have it (specification 02, 2.2).</summary>
 [Flags]
@@ -78,79 +78,6 @@ public enum PhysicsState : uint
 
     /// <summary>What new objects have: edge slide, lighting, gravity, report collisions.</summary>
     Default = EdgeSlide | LightingOn | Gravity | ReportCollisions,
-}
-
-/// <summary>The changing bits of a body (specification 02, 2.3).</summary>
-[Flags]
-public enum TransientState : uint
-{
-    /// <summary>No bit.</summary>
-    None = 0,
-
-    /// <summary>Touches a plane.</summary>
-    Contact = 0x1,
-
-    /// <summary>Stands on a plane that can be walked on.</summary>
-    OnWalkable = 0x2,
-
-    /// <summary>Slides along a wall.</summary>
-    Sliding = 0x4,
-
-    /// <summary>The plane is water, or another body.</summary>
-    WaterContact = 0x8,
-
-    /// <summary>Failed to move once.</summary>
-    StationaryFall = 0x10,
-
-    /// <summary>Failed to move twice.</summary>
-    StationaryStop = 0x20,
-
-    /// <summary>Failed to move three times; accepted as a seed, never set.</summary>
-    StationaryStuck = 0x40,
-
-    /// <summary>Is being simulated.</summary>
-    Active = 0x80,
-
-    /// <summary>Wants to become solid as soon as nothing overlaps.</summary>
-    CheckEthereal = 0x100,
-
-    /// <summary>The three counters of failed moves.</summary>
-    StationaryMask = StationaryFall | StationaryStop | StationaryStuck,
-}
-
-/// <summary>What a server says of an object that matters to collisions; <see cref="None"/> is an object without a weenie.</summary>
-[Flags]
-public enum WeenieTraits
-{
-    /// <summary>No weenie.</summary>
-    None = 0,
-
-    /// <summary>A weenie with no other trait.</summary>
-    Present = 0x1,
-
-    /// <summary>A creature.</summary>
-    Creature = 0x2,
-
-    /// <summary>A player.</summary>
-    Player = 0x4,
-
-    /// <summary>A player killer.</summary>
-    PK = 0x8,
-
-    /// <summary>A player killer lite.</summary>
-    PKLite = 0x10,
-
-    /// <summary>A player that others do not pass.</summary>
-    Impenetrable = 0x20,
-
-    /// <summary>A hook.</summary>
-    Hook = 0x40,
-
-    /// <summary>A storage chest.</summary>
-    Storage = 0x80,
-
-    /// <summary>A corpse.</summary>
-    Corpse = 0x100,
 }
 
 /// <summary>Bit tests that cost nothing in any build; <c>Enum.HasFlag</c> boxes until the code is optimised.</summary>

@@ -1,6 +1,5 @@
 using Surefoot.Dats;
 using Surefoot.Physics.Assets;
-using Surefoot.Physics.Bodies;
 
 namespace Surefoot.Physics.World;
 

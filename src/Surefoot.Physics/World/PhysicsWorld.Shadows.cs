@@ -1,5 +1,4 @@
 using Surefoot.Physics.Bodies;
-using Surefoot.Physics.Transitions;
 
 namespace Surefoot.Physics.World;
 

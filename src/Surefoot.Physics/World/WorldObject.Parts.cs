@@ -2,7 +2,7 @@ using System.Numerics;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Geometry;
 
-namespace Surefoot.Physics.Bodies;
+namespace Surefoot.Physics.World;
 
 /// <content>Where the parts of an object are.</content>
 public partial class WorldObject

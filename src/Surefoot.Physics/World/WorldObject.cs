@@ -1,10 +1,9 @@
 using System.Numerics;
 using Surefoot.Physics.Assets;
-using Surefoot.Physics.World;
 
-namespace Surefoot.Physics.Bodies;
+namespace Surefoot.Physics.World;
 
-/// <summary>Something that stands in cells and can be run into: a static object, a piece of scenery, or a <see cref="PhysicsBody"/>.</summary>
+/// <summary>Something that stands in cells and can be run into: a static object, a piece of scenery, or a body.</summary>
 /// <remarks>Retail: the part of CPhysicsObj that statics share with bodies.</remarks>
 public partial class WorldObject
 {

@@ -1,6 +1,6 @@
 using Surefoot.Physics.Assets;
-using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
+using Surefoot.Physics.World;
 
 namespace Surefoot.Workbench.Simulation;
 

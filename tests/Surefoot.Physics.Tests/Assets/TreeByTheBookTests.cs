@@ -3,6 +3,7 @@ using CsCheck;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
+using Surefoot.Physics.Tests.Transitions.Obstacles;
 using Surefoot.Physics.Transitions;
 
 namespace Surefoot.Physics.Tests.Assets;

@@ -6,6 +6,7 @@ using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.Steering;
 using Surefoot.Physics.Tests.Assets;
+using Surefoot.Physics.Tests.Transitions.Obstacles;
 using Surefoot.Physics.Tests.Transitions;
 using Surefoot.Physics.Transitions;
 using Surefoot.Physics.Transitions.Obstacles;

@@ -3,6 +3,7 @@ using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Tests.Transitions;
 using Surefoot.Physics.Transitions;
+using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Tests.Bodies;
 

@@ -1,6 +1,7 @@
 using System.Numerics;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Tests.Transitions;
+using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Tests.Bodies;
 

@@ -1,7 +1,8 @@
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.Steering;
+using Surefoot.Physics.Tests.Motion;
 
-namespace Surefoot.Physics.Tests.Motion;
+namespace Surefoot.Physics.Tests.Steering;
 
 public class MovementManagerTests
 {

@@ -3,7 +3,7 @@ using Surefoot.Physics.Decisions;
 namespace Surefoot.Physics.Tests.Transitions;
 
 /// <summary>Counts the sub-steps that a trace tells of.</summary>
-internal static class StepCounter
+internal static class SubStepCounter
 {
     internal static int StepCount(this TraceBuffer trace)
     {

@@ -6,7 +6,7 @@ using Surefoot.Physics.World;
 namespace Surefoot.Physics.Tests.Transitions;
 
 /// <summary>The tables of specification 03, 6.2 and 6.4.</summary>
-public class StepOffsetTests
+public class SubStepTests
 {
     private static readonly Plane Slope30 = new(-0.5f, 0, 0.866025388f, 0);
     private static readonly Plane Level = new(0, 0, 1, 0);

@@ -2,7 +2,6 @@ using System.Numerics;
 using Surefoot.Dats.Records;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Geometry;
-using Surefoot.Physics.Transitions;
 using Surefoot.Physics.World;
 using BuildingPortalRecord = Surefoot.Dats.Records.BuildingPortal;
 using EnvCellRecord = Surefoot.Dats.Records.EnvCell;

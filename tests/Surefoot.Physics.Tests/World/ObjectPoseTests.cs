@@ -4,13 +4,13 @@ using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Tests.Assets;
+using Surefoot.Physics.Tests.Transitions.Obstacles;
 using Surefoot.Physics.Tests.Transitions;
-using Surefoot.Physics.Tests.World;
 using Surefoot.Physics.Transitions;
 using Surefoot.Physics.Transitions.Obstacles;
 using Surefoot.Physics.World;
 
-namespace Surefoot.Physics.Tests.Bodies;
+namespace Surefoot.Physics.Tests.World;
 
 /// <summary>How an object is put down and which of its shapes count: specification 06, 2 and 3; 02, 2.2; 05, 4.8 f.</summary>
 public class ObjectPoseTests

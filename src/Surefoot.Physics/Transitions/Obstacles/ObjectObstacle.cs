@@ -1,5 +1,5 @@
-using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Decisions;
+using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Transitions.Obstacles;
 

@@ -4,16 +4,17 @@ using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
-using Surefoot.Physics.Tests.Assets;
+using Surefoot.Physics.Tests.Transitions.Obstacles;
 using Surefoot.Physics.Tests.Transitions;
 using Surefoot.Physics.Transitions;
 using Surefoot.Physics.Transitions.Obstacles;
+using Surefoot.Physics.Tests.World;
 using Surefoot.Physics.World;
 using EnvCellRecord = Surefoot.Dats.Records.EnvCell;
 using StaticObject = Surefoot.Physics.World.StaticObject;
 using StaticRecord = Surefoot.Dats.Records.StaticObject;
 
-namespace Surefoot.Physics.Tests.World;
+namespace Surefoot.Physics.Tests.Motion;
 
 /// <summary>
 /// Statics whose setup names a default animation: specification 02, 4.19, and 06, 3. The slab of two metres lies at x = 0, 4 and 8 in the three frames, at x = 30 when

@@ -3,10 +3,10 @@ using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Transitions;
 
-namespace Surefoot.Physics.Tests.Assets;
+namespace Surefoot.Physics.Tests.Transitions.Obstacles;
 
 /// <summary>A ball as an obstacle: specification 04, 6.12 and the end of 6.16; exact floats.</summary>
-public class SphereObstacleTests
+public class BallObstacleTests
 {
     private const MoverFlags Standing = MoverFlags.Contact | MoverFlags.OnWalkable;
     private const MoverFlags Missile = MoverFlags.PathClipped;

@@ -2,10 +2,11 @@ using System.Numerics;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
+using Surefoot.Physics.Tests.Assets;
 using Surefoot.Physics.Transitions;
 using Surefoot.Physics.Transitions.Obstacles;
 
-namespace Surefoot.Physics.Tests.Assets;
+namespace Surefoot.Physics.Tests.Transitions.Obstacles;
 
 /// <summary>The box 2 × 2 × 2 of specification 04, 6.16: exact floats.</summary>
 public class BoxTreeTests

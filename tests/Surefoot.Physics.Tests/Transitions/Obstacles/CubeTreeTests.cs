@@ -2,9 +2,10 @@ using System.Numerics;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
+using Surefoot.Physics.Tests.Assets;
 using Surefoot.Physics.Transitions;
 
-namespace Surefoot.Physics.Tests.Assets;
+namespace Surefoot.Physics.Tests.Transitions.Obstacles;
 
 /// <summary>The unit cube of specification 04, 6.7: exact floats.</summary>
 public class CubeTreeTests

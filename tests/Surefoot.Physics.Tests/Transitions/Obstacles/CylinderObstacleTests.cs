@@ -4,7 +4,7 @@ using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Transitions;
 using Surefoot.Physics.Transitions.Obstacles;
 
-namespace Surefoot.Physics.Tests.Assets;
+namespace Surefoot.Physics.Tests.Transitions.Obstacles;
 
 /// <summary>A cylinder as an obstacle: specification 04, 6.13 and the end of 6.16; exact floats.</summary>
 public class CylinderObstacleTests

@@ -1,14 +1,12 @@
 using System.Numerics;
 using Surefoot.Physics.Assets;
-using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
-using Surefoot.Physics.Tests.Transitions;
 using Surefoot.Physics.Transitions;
 using Surefoot.Physics.Transitions.Obstacles;
 using Surefoot.Physics.World;
 
-namespace Surefoot.Physics.Tests.Assets;
+namespace Surefoot.Physics.Tests.Transitions.Obstacles;
 
 /// <summary>
 /// A transition at one attempt: spheres between an accepted and a tried place, and no cell that would let a step-up succeed. The tests here ask an

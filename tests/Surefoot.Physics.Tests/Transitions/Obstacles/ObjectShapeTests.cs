@@ -1,13 +1,13 @@
 using System.Numerics;
 using Surefoot.Physics.Assets;
-using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
+using Surefoot.Physics.Tests.Assets;
 using Surefoot.Physics.Transitions;
 using Surefoot.Physics.Transitions.Obstacles;
 using Surefoot.Physics.World;
 
-namespace Surefoot.Physics.Tests.Assets;
+namespace Surefoot.Physics.Tests.Transitions.Obstacles;
 
 /// <summary>From an object to the shapes that stop a body: specification 06, sections 3, 4 and 8.</summary>
 public class ObjectShapeTests

@@ -3,12 +3,12 @@ using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
-using Surefoot.Physics.Tests.Transitions;
+using Surefoot.Physics.Tests.Assets;
 using Surefoot.Physics.Transitions;
 using Surefoot.Physics.Transitions.Obstacles;
 using Surefoot.Physics.World;
 
-namespace Surefoot.Physics.Tests.Assets;
+namespace Surefoot.Physics.Tests.Transitions.Obstacles;
 
 /// <summary>Whole sweeps against one obstacle: specification 04, 6.17; exact floats. The names of the cases are the specification's.</summary>
 public class ObstacleSweepTests

@@ -1,14 +1,12 @@
 using System.Numerics;
 using Surefoot.Physics.Assets;
-using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
-using Surefoot.Physics.Tests.Transitions;
 using Surefoot.Physics.Transitions;
 using Surefoot.Physics.Transitions.Obstacles;
 using Surefoot.Physics.World;
 
-namespace Surefoot.Physics.Tests.Bodies;
+namespace Surefoot.Physics.Tests.Transitions.Obstacles;
 
 /// <summary>Who stops whom: the table of specification 06, 6, and the rules of 02, 4.21.</summary>
 public class TargetRuleTests

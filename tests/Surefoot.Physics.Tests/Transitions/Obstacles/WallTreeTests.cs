@@ -2,9 +2,10 @@ using System.Numerics;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
+using Surefoot.Physics.Tests.Assets;
 using Surefoot.Physics.Transitions;
 
-namespace Surefoot.Physics.Tests.Assets;
+namespace Surefoot.Physics.Tests.Transitions.Obstacles;
 
 /// <summary>One wall, one floor: specification 04, 6.8 to 6.10 and 6.15; exact floats.</summary>
 public class WallTreeTests
