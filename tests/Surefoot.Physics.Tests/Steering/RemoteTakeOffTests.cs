@@ -4,6 +4,7 @@ using Surefoot.Physics.Motion;
 using Surefoot.Physics.Steering;
 using Surefoot.Physics.Tests.Bodies;
 using Surefoot.Physics.Tests.Motion;
+using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Tests.Steering;
 
