@@ -100,7 +100,7 @@ public sealed class LinkTests(Browser browser)
         await Assertions.Expect(cover).ToBeVisibleAsync();
         await Assertions.Expect(cover).ToContainTextAsync("not answering");
         LocatorBoundingBoxResult box = (await cover.BoundingBoxAsync())!;
-        Assert.Equal((0f, 0f, 800f, 450f), (box.X, box.Y, box.Width, box.Height));
+        Assert.Equal((0f, 0f, (float)Browser.Width, (float)Browser.Height), (box.X, box.Y, box.Width, box.Height));
         await FramesGoBy(tab, 2);
         double frozen = await tab.Number("window.surefoot.drawnAt");
         await FramesGoBy(tab, 5);

@@ -1,5 +1,4 @@
 using System.Collections.Concurrent;
-using System.Globalization;
 using System.Text.Json;
 using Microsoft.Playwright;
 using Surefoot.Workbench.Simulation;
@@ -17,7 +16,16 @@ public sealed class Browser : IAsyncLifetime
         @"C:\Program Files\Google\Chrome\Application\chrome.exe", @"C:\Program Files (x86)\Microsoft\Edge\Application\msedge.exe",
     ];
 
+    /// <summary>Size of a page when nothing else is asked for, CSS pixels.</summary>
+    internal const int Width = 960, Height = 540;
+
     private readonly ConcurrentDictionary<(uint Player, uint Step), PlayerPose> published = new();
+    private static readonly string[] Arguments =
+    [
+        "--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync",
+        "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+    ];
+
     private IPlaywright? playwright;
     private IBrowser? browser;
     private WorkbenchServer? server;
@@ -30,21 +38,11 @@ public sealed class Browser : IAsyncLifetime
 
     public async ValueTask InitializeAsync()
     {
-        string? path = Array.Find(Candidates, File.Exists);
-        if (path is null) return;
+        if (!Array.Exists(Candidates, File.Exists)) return;
         server = await Worlds.StartAsync();
         server.Loop.PosePublished = (player, step, pose) => published[(player, step)] = pose;
         playwright = await Playwright.CreateAsync();
-        browser = await playwright.Chromium.LaunchAsync(new BrowserTypeLaunchOptions
-        {
-            ExecutablePath = path,
-            Headless = true,
-            Args =
-            [
-                "--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync",
-                "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-            ],
-        });
+        browser = await LaunchAsync();
     }
 
     public async ValueTask DisposeAsync()
@@ -54,22 +52,41 @@ public sealed class Browser : IAsyncLifetime
         if (server is not null) await server.DisposeAsync();
     }
 
+    /// <summary>Another browser of the same kind.</summary>
+    /// <param name="more">More of its arguments.</param>
+    internal async Task<IBrowser> LaunchAsync(params string[] more)
+    {
+        SkipWithout(playwright);
+        return await playwright!.Chromium.LaunchAsync(
+            new BrowserTypeLaunchOptions { ExecutablePath = Array.Find(Candidates, File.Exists), Headless = true, Args = [.. Arguments, .. more] });
+    }
+
     /// <summary>A tab on the shared workbench, when its player is drawn.</summary>
     /// <param name="query">What the link says.</param>
-    internal Task<Tab> OpenAsync(string query = "") => OpenAsync(server, query);
+    /// <param name="options">What kind of page.</param>
+    internal Task<Tab> OpenAsync(string query = "", BrowserNewPageOptions? options = null) => OpenAsync(server, query, options);
 
     /// <summary>A tab on a workbench, when its player is drawn.</summary>
     /// <param name="played">The workbench.</param>
     /// <param name="query">What the link says.</param>
-    internal async Task<Tab> OpenAsync(WorkbenchServer? played, string query = "")
+    /// <param name="options">What kind of page.</param>
+    internal async Task<Tab> OpenAsync(WorkbenchServer? played, string query = "", BrowserNewPageOptions? options = null)
     {
-        Assert.SkipWhen(browser is null, "There is no Chromium on this machine, so the page was not tried in a browser. Install it (Debian: apt-get install chromium) or name one in SUREFOOT_CHROMIUM.");
-        IPage page = await browser!.NewPageAsync(new BrowserNewPageOptions { ViewportSize = new ViewportSize { Width = 800, Height = 450 }, DeviceScaleFactor = 0.5f });
+        SkipWithout(browser);
+        options ??= new BrowserNewPageOptions();
+        options.ViewportSize ??= new ViewportSize { Width = Width, Height = Height };
+        options.DeviceScaleFactor ??= 0.5f;
+        IPage page = await browser!.NewPageAsync(options);
         Tab tab = new(page);
         await page.GotoAsync(played!.Address.AbsoluteUri + query);
         await tab.Until("window.surefoot?.ready === true", "the player is drawn");
         return tab;
     }
+
+    private static void SkipWithout(object? what) => Assert.SkipWhen(
+        what is null,
+        "There is no Chromium on this machine, so the page was not tried in a browser. " +
+        "Install it (Debian: apt-get install chromium) or name one in SUREFOOT_CHROMIUM.");
 }
 
 /// <summary>Tests in a browser run one after the other: two that draw in software at once would be slow enough to matter.</summary>
@@ -119,11 +136,10 @@ internal sealed class Tab : IAsyncDisposable
     public async Task GoTo(string place)
     {
         await Until("window.surefoot.places.length > 0", "the places are listed");
-        JsonElement places = await Read("window.surefoot.places.map((one) => one.name)");
-        int index = places.EnumerateArray().Select(one => one.GetString()).ToList().IndexOf(place);
         double before = await Number("window.surefoot.pose.teleports");
-        await Page.Locator("#places").SelectOptionAsync(index.ToString(CultureInfo.InvariantCulture));
-        uint cell = (uint)await Number($"window.surefoot.places[{index}].cell");
+        await Page.Locator("#goto-box").FillAsync(place);
+        await Page.Keyboard.PressAsync("Enter");
+        uint cell = (uint)await Number($"window.surefoot.places.find((one) => one.name === {JsonSerializer.Serialize(place)}).cell");
         await Until(
             $"window.surefoot.pose.cell >>> 16 === {cell >> 16} && window.surefoot.drawn?.teleports === window.surefoot.pose.teleports && window.surefoot.pose.teleports !== {before}",
             $"the player is at {place}");

@@ -7,12 +7,13 @@ interface Acts {
   use(): void;
   autoRun(): void;
   recenter(): void;
-  help(shown?: boolean): void;
+  goTo(): void;
+  help(): void;
+  closeHelp(): void;
 }
 
 /** What each key does, by its code. */
 export function commands(acts: Acts): ReadonlyMap<string, () => void> {
-  const help = (): void => acts.help();
   return new Map([
     ["KeyT", () => acts.toggle("triangles")],
     ["KeyV", () => acts.toggle("shapes")],
@@ -21,8 +22,9 @@ export function commands(acts: Acts): ReadonlyMap<string, () => void> {
     ["KeyM", () => acts.toggle("mouse")],
     ["KeyC", acts.recenter],
     ["KeyP", () => acts.toggle("panels")],
-    ["KeyH", help],
-    ["Slash", help],
-    ["Escape", () => acts.help(false)],
+    ["KeyG", acts.goTo],
+    ["KeyH", acts.help],
+    ["Slash", acts.help],
+    ["Escape", acts.closeHelp],
   ]);
 }

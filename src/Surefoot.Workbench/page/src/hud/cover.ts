@@ -3,12 +3,19 @@
 import type { ConnectionState } from "../net/connection";
 import { element, say } from "./elements";
 
-const texts: Record<ConnectionState, [string, string]> = {
+/** Why the world is covered: the connection's state, or dark: the graphics card is gone. */
+export type CoverState = ConnectionState | "dark";
+
+const texts: Record<CoverState, [string, string]> = {
   connecting: ["Connecting…", ""],
   open: ["Loading the land…", ""],
   lost: [
     "The workbench is not answering",
     "What you see is the last picture. It goes on by itself as soon as the server is back; if the server was stopped, start it again with ./play or surefoot play.",
+  ],
+  dark: [
+    "The picture is lost",
+    "The browser took the graphics card away: the machine slept, its driver started anew, or too many pages draw. It goes on by itself when the browser gives it back; if it does not, reload the page.",
   ],
   full: ["No way in yet", "The workbench lets no more players in, or is gone. Trying again…"],
 };
@@ -18,12 +25,12 @@ export class Cover {
   private readonly title = this.cover.querySelector("h2") as HTMLElement;
   private readonly text = this.cover.querySelector("p") as HTMLElement;
 
-  /** Is it away? */
-  get shown(): ConnectionState | null {
-    return this.cover.classList.contains("away") ? null : (this.cover.dataset.state as ConnectionState);
+  /** Why the world is covered; null when it is not. */
+  get shown(): CoverState | null {
+    return this.cover.classList.contains("away") ? null : (this.cover.dataset.state as CoverState);
   }
 
-  show(state: ConnectionState): void {
+  show(state: CoverState): void {
     if (this.shown === state) return;
     const [title, text] = texts[state];
     say(this.title, title);

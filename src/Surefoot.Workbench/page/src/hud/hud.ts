@@ -1,10 +1,14 @@
 // Everything on the page that is not the world: panel, sliders, bar, menu, help, messages.
 
 import type { Toggle } from "../net/link";
-import type { Listing, Place } from "../net/places";
+import type { Listing } from "../net/places";
 import type { ServerFrame } from "../net/wire";
 import { Cover } from "./cover";
 import { element } from "./elements";
+import { Focus } from "./focus";
+import { Folds } from "./folds";
+import { GoTo } from "./goTo";
+import { Help } from "./help";
 import { Notice } from "./notice";
 import { Panel } from "./panel";
 import { Skills } from "./skills";
@@ -14,42 +18,42 @@ import { Toggles } from "./toggles";
 interface Asks {
   settings: ConstructorParameters<typeof Skills>[0];
   toggle(name: Toggle, on: boolean): void;
-  goto(place: number): void;
+  go: ConstructorParameters<typeof GoTo>[0];
+  use(): void;
 }
 
 export class Hud {
   readonly panel = new Panel();
   readonly cover = new Cover();
-  readonly notice = new Notice();
   readonly toasts = new Toasts();
+  readonly folds = new Folds();
+  readonly focus: Focus;
+  readonly notice: Notice;
+  readonly help: Help;
+  readonly goTo: GoTo;
   readonly skills: Skills;
   readonly toggles: Toggles;
   private readonly bar = element("charge");
   private readonly prompt = element("prompt");
-  private readonly places = element<HTMLSelectElement>("places");
-  private listed: readonly Place[] = [];
 
-  constructor(private readonly asks: Asks) {
+  constructor(asks: Asks) {
+    const toGame = (): void => this.focus.toGame();
+    this.focus = new Focus(element("world"));
     this.skills = new Skills(asks.settings);
     this.toggles = new Toggles(asks.toggle);
-    this.places.addEventListener("change", () => {
-      const index = Number(this.places.value);
-      this.asks.goto(index);
-      this.showHint(index);
-      this.places.selectedIndex = 0;
-      this.places.blur();
+    this.notice = new Notice(toGame);
+    this.help = new Help(toGame);
+    this.goTo = new GoTo((destination) => {
+      asks.go(destination);
+      toGame();
     });
-    element("toggle-help").addEventListener("click", () => this.toggleHelp());
+    this.prompt.addEventListener("mousedown", (event) => event.preventDefault());
+    this.prompt.addEventListener("click", () => asks.use());
   }
 
   /** Share of the jump bar that is filled, as shown. */
   get barFilled(): number {
     return this.bar.classList.contains("charging") ? Number(this.bar.getAttribute("aria-valuenow")) / 100 : 0;
-  }
-
-  /** The places that the menu offers, by the index that the server knows them by. */
-  get listedPlaces(): readonly Place[] {
-    return this.listed;
   }
 
   receive(frame: ServerFrame): void {
@@ -71,27 +75,23 @@ export class Hud {
 
   listPlaces({ world, places }: Listing): void {
     element("world-name").textContent = world;
-    this.listed = places;
-    this.places.replaceChildren(
-      new Option("a place…", "", true, true),
-      ...places.map((place, index) => new Option(place.name, String(index))),
-    );
-    this.places.options[0].disabled = true;
+    this.goTo.offer(places);
   }
 
   /** What there is to try at a named place. */
   showHint(place: number): void {
-    const hint = this.listed[place]?.hint;
+    const hint = this.goTo.listed[place]?.hint;
     if (hint) this.toasts.show(hint, "hint");
   }
 
   showCharge(charging: boolean, charge: number): void {
-    this.bar.classList.toggle("charging", charging);
+    if (this.bar.classList.toggle("charging", charging)) this.bar.removeAttribute("aria-hidden");
+    else this.bar.setAttribute("aria-hidden", "true");
     if (!charging) return;
     const percent = Math.round(charge * 100);
     this.bar.setAttribute("aria-valuenow", String(percent));
-    (this.bar.firstElementChild as HTMLElement).style.transform = `scaleX(${charge})`;
-    this.bar.lastElementChild!.textContent = `Jump ${percent} %`;
+    this.bar.querySelector("i")!.style.transform = `scaleX(${charge})`;
+    this.bar.querySelector("span")!.textContent = `Jump ${percent} %`;
   }
 
   /** What the key for doors would do here. */
@@ -103,11 +103,6 @@ export class Hud {
 
   showTriangles(shown: boolean): void {
     element("legend").hidden = !shown;
-  }
-
-  toggleHelp(shown = element("help").hidden): void {
-    element("help").hidden = !shown;
-    element("toggle-help").setAttribute("aria-pressed", String(shown));
   }
 
   showPanels(shown: boolean): void {

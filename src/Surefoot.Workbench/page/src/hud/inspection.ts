@@ -1,6 +1,6 @@
 // What the page shows, as `window.surefoot`: for tests, and for the curious at the browser's console.
 
-import type { Connection, ConnectionState } from "../net/connection";
+import type { Connection } from "../net/connection";
 import type { Place } from "../net/places";
 import type { Requests } from "../net/requests";
 import type { Session } from "../net/session";
@@ -8,6 +8,7 @@ import type { Drawn } from "../net/timeline";
 import type { BodyPose, OwnPose, PlayerEvent, Touch, Vec3 } from "../net/wire";
 import type { MovingDrawn } from "../things/objects";
 import type { WorldView } from "../things/worldView";
+import type { CoverState } from "./cover";
 import type { Hud } from "./hud";
 
 /** What the page counts of its own drawing. */
@@ -34,7 +35,7 @@ export class Inspection {
   }
 
   /** Why the world is covered, or null. */
-  get covered(): ConnectionState | null {
+  get covered(): CoverState | null {
     return this.hud.cover.shown;
   }
 
@@ -56,6 +57,11 @@ export class Inspection {
     return [...this.world.players.others].map(([player, one]) => ({ player, position: one.drawn?.position ?? null }));
   }
 
+  /** Keys play, and belong to no control. */
+  get playing(): boolean {
+    return this.hud.focus.playing;
+  }
+
   get pose(): OwnPose | null {
     return this.session.pose;
   }
@@ -73,7 +79,7 @@ export class Inspection {
   }
 
   get places(): readonly Place[] {
-    return this.hud.listedPlaces;
+    return this.hud.goTo.listed;
   }
 
   get frames(): number {
@@ -87,6 +93,11 @@ export class Inspection {
   /** The moment drawn last, seconds of the server's clock. */
   get drawnAt(): number {
     return this.drawing.drawnAt;
+  }
+
+  /** Seconds of what waves, drifts and ripples; 0 for who asks for less motion. */
+  get breeze(): number {
+    return this.world.terrain.uniforms.time.value;
   }
 
   get fps(): number {

@@ -1,6 +1,8 @@
-// Keyboard → the bits of an input frame.
+// Keyboard → the bits of an input frame. Keys play while the world has the keyboard; a control that has it keeps them.
 
 import { Key } from "../net/wire";
+import type { Focus } from "./focus";
+import type { Held } from "./held";
 
 const moves: Record<string, number> = {
   KeyW: Key.Forward,
@@ -19,45 +21,49 @@ const moves: Record<string, number> = {
 };
 
 export class Keyboard {
-  private readonly held = new Set<string>();
-  private bits = 0;
+  private readonly down = new Set<string>();
 
   /**
-   * @param onMove the bits held, whenever they change
-   * @param onLost the keyboard went elsewhere: what was held counts as let go
+   * @param focus who has the keyboard
+   * @param held takes the bits of the keys that are down
+   * @param onLost the keyboard went elsewhere: what was down counts as let go
    * @param onCommand a key that is not movement, by its code
    */
   constructor(
-    private readonly onMove: (bits: number) => void,
+    private readonly focus: Focus,
+    private readonly held: Held,
     private readonly onLost: () => void,
     private readonly onCommand: (code: string) => void,
   ) {
-    addEventListener("keydown", (event) => this.down(event));
-    addEventListener("keyup", (event) => this.up(event));
+    addEventListener("keydown", (event) => this.pressed(event));
+    addEventListener("keyup", (event) => this.released(event));
     // A key released while another window has the focus is never reported.
     addEventListener("blur", () => this.releaseAll());
     document.addEventListener("visibilitychange", () => document.hidden && this.releaseAll());
+    focus.onLeave = () => this.releaseAll();
   }
 
   releaseAll(): void {
+    this.down.clear();
     this.held.clear();
-    this.bits = 0;
     this.onLost();
   }
 
-  private down(event: KeyboardEvent): void {
-    if (event.ctrlKey || event.metaKey || event.altKey || typing(event.target)) return;
+  private pressed(event: KeyboardEvent): void {
+    if (event.ctrlKey || event.metaKey || event.altKey || !this.focus.playing) return;
     if (!(event.code in moves)) {
+      // A letter that opens a box is not to be written into it.
+      if (event.code !== "Tab" && event.key.length === 1) event.preventDefault();
       if (!event.repeat) this.onCommand(event.code);
       return;
     }
     event.preventDefault();
-    this.held.add(event.code);
+    this.down.add(event.code);
     this.changed();
   }
 
-  private up(event: KeyboardEvent): void {
-    if (this.held.delete(event.code)) {
+  private released(event: KeyboardEvent): void {
+    if (this.down.delete(event.code)) {
       event.preventDefault();
       this.changed();
     }
@@ -65,13 +71,7 @@ export class Keyboard {
 
   private changed(): void {
     let bits = 0;
-    for (const code of this.held) bits |= moves[code];
-    if (bits === this.bits) return;
-    this.bits = bits;
-    this.onMove(bits);
+    for (const code of this.down) bits |= moves[code];
+    this.held.set("keyboard", bits);
   }
-}
-
-function typing(target: EventTarget | null): boolean {
-  return target instanceof HTMLElement && (target.isContentEditable || target.matches("textarea, select, input:not([type=range])"));
 }

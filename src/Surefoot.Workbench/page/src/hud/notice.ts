@@ -6,8 +6,12 @@ export class Notice {
   private readonly card = element("notice");
   private readonly text = this.card.querySelector("p") as HTMLElement;
 
-  constructor() {
-    this.card.querySelector("button")!.addEventListener("click", () => this.hide());
+  /** @param onHide the person has put it away */
+  constructor(onHide: () => void) {
+    this.card.querySelector("button")!.addEventListener("click", () => {
+      this.card.hidden = true;
+      onHide();
+    });
   }
 
   /** The line, empty when none is shown. */
@@ -18,9 +22,5 @@ export class Notice {
   show(text: string): void {
     this.text.textContent = text;
     this.card.hidden = false;
-  }
-
-  private hide(): void {
-    this.card.hidden = true;
   }
 }

@@ -16,8 +16,6 @@ export class Skills {
         this.showNumbers();
         onChange(this.settings);
       });
-      // Keys belong to the player again as soon as the slider is let go.
-      slider.addEventListener("change", () => slider.blur());
     }
   }
 
@@ -43,10 +41,12 @@ export class Skills {
   private showNumbers(): void {
     output(this.run, this.run.value);
     output(this.jump, this.jump.value);
-    output(this.burden, `${this.burden.value} (${Math.round((100 * Number(this.burden.value)) / this.capacity)} %)`);
+    const share = Math.round((100 * Number(this.burden.value)) / this.capacity);
+    output(this.burden, `${this.burden.value} (${share} %)`);
+    this.burden.setAttribute("aria-valuetext", `${this.burden.value}, ${share} percent of what can be carried`);
   }
 }
 
 function output(slider: HTMLInputElement, text: string): void {
-  slider.parentElement!.querySelector("output")!.value = text;
+  document.querySelector<HTMLOutputElement>(`output[for="${slider.id}"]`)!.value = text;
 }

@@ -14,6 +14,10 @@ const jumpRefusals: Record<number, string> = {
 
 const most = 3;
 
+// Milliseconds; style/messages.css fades as long.
+const showFor = 2600;
+const hintFor = 7000;
+
 export class Toasts {
   private readonly toasts = element("toasts");
 
@@ -21,7 +25,8 @@ export class Toasts {
     const line = document.createElement("p");
     line.textContent = text;
     line.className = look;
-    line.addEventListener("animationend", () => line.remove());
+    // By the clock, and not when an animation ends: there may be none.
+    setTimeout(() => line.remove(), look === "hint" ? hintFor : showFor);
     this.toasts.append(line);
     while (this.toasts.childElementCount > most) this.toasts.firstElementChild!.remove();
   }

@@ -42,3 +42,23 @@ export function readDestination(text: string, places: readonly Place[]): Destina
   if (place >= 0) return { place };
   return looksLikeSpot(text) ? parseSpot(text) : { error: "there is no place of this name" };
 }
+
+/** The places in which all the words occur, by index, those first that are named so and begin so; all of them without a word. */
+export function searchPlaces(text: string, places: readonly Place[]): number[] {
+  const wanted = text.trim().toLowerCase().split(/\s+/).join(" ");
+  const words = wanted.split(" ");
+  const ranks: ((title: string, all: string) => boolean)[] = [
+    (title) => title === wanted,
+    (title) => title.replace(/^(the|a|in the|at the) /, "").startsWith(wanted) || title.startsWith(wanted),
+    (title) => words.every((word) => ` ${title}`.includes(` ${word}`)),
+    (title) => words.every((word) => title.includes(word)),
+    (_, all) => words.every((word) => ` ${all}`.includes(` ${word}`)),
+    (_, all) => words.every((word) => all.includes(word)),
+  ];
+  const ranked = places.map(({ name, hint }, index) => {
+    const title = name.toLowerCase();
+    return { index, rank: ranks.findIndex((fits) => fits(title, `${title} ${hint?.toLowerCase() ?? ""}`)) };
+  });
+  const found = ranked.filter(({ rank }) => rank >= 0);
+  return found.sort((a, b) => a.rank - b.rank || a.index - b.index).map(({ index }) => index);
+}

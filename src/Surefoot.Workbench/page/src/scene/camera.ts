@@ -3,11 +3,14 @@
 import * as THREE from "three";
 import { wrapAngle } from "../net/timeline";
 import { Button } from "../net/wire";
+import { isCalm } from "./calm";
 
 const eyeHeight = 1.45;
 const clearance = 0.45;
 const indoorDistance = 3.6;
 const restPitch = 0.2;
+const closest = 1.6;
+const farthest = 90;
 
 export class FollowCamera {
   /** The right button turns the player, and the view follows; else it orbits as the left one does. */
@@ -19,6 +22,7 @@ export class FollowCamera {
   private pitch = restPitch;
   private yaw = Number.NaN;
   private recentering = false;
+  private readonly fingers = new Map<number, { x: number; y: number }>();
   private readonly target = new THREE.Vector3();
   private height = Number.NaN;
 
@@ -27,13 +31,19 @@ export class FollowCamera {
     surface.addEventListener("pointerdown", (event) => {
       surface.setPointerCapture(event.pointerId);
       surface.classList.add("orbiting");
+      if (event.pointerType === "touch") this.fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
     });
     surface.addEventListener("pointermove", (event) => {
       const turns = this.rightTurns && (event.buttons & Button.Right) !== 0;
-      if (surface.hasPointerCapture(event.pointerId) && !turns) this.drag(event.movementX, event.movementY);
+      if (this.fingers.has(event.pointerId)) this.moveFinger(event);
+      else if (surface.hasPointerCapture(event.pointerId) && !turns) this.drag(event.movementX, event.movementY);
     });
-    surface.addEventListener("pointerup", () => surface.classList.remove("orbiting"));
-    surface.addEventListener("pointercancel", () => surface.classList.remove("orbiting"));
+    for (const end of ["pointerup", "pointercancel"] as const) {
+      surface.addEventListener(end, (event) => {
+        surface.classList.remove("orbiting");
+        this.fingers.delete(event.pointerId);
+      });
+    }
     surface.addEventListener("contextmenu", (event) => event.preventDefault());
     surface.addEventListener("dblclick", () => this.recenter());
     surface.addEventListener(
@@ -41,7 +51,7 @@ export class FollowCamera {
       (event) => {
         event.preventDefault();
         const lines = event.deltaMode === WheelEvent.DOM_DELTA_PIXEL ? event.deltaY / 100 : event.deltaY / 3;
-        this.wantedDistance = THREE.MathUtils.clamp(this.wantedDistance * Math.exp(lines * 0.14), 1.6, 90);
+        this.zoomBy(Math.exp(lines * 0.14));
       },
       { passive: false },
     );
@@ -84,7 +94,7 @@ export class FollowCamera {
    * @param groundAt ground height at a point relative to the origin, or null
    */
   update(feet: THREE.Vector3, facing: number, dt: number, indoors: boolean, groundAt: (x: number, y: number) => number | null): void {
-    const ease = (rate: number): number => 1 - Math.exp(-rate * dt);
+    const ease = (rate: number): number => (isCalm() ? 1 : 1 - Math.exp(-rate * dt));
     if (this.recentering) {
       this.orbit -= this.orbit * ease(7);
       this.pitch += (restPitch - this.pitch) * ease(7);
@@ -107,6 +117,23 @@ export class FollowCamera {
     const ground = indoors ? null : groundAt(eye.x, eye.y);
     if (ground !== null && eye.z < ground + clearance) eye.z = ground + clearance;
     this.camera.lookAt(this.target);
+  }
+
+  /** One finger looks around, two come closer or go farther. */
+  private moveFinger(event: PointerEvent): void {
+    const spread = (): number => {
+      const [a, b] = [...this.fingers.values()];
+      return Math.hypot(a.x - b.x, a.y - b.y);
+    };
+    const from = this.fingers.get(event.pointerId) as { x: number; y: number };
+    const before = this.fingers.size === 2 ? spread() : 0;
+    this.fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    if (this.fingers.size === 1) this.drag(event.clientX - from.x, event.clientY - from.y);
+    else if (before > 0) this.zoomBy(before / Math.max(1, spread()));
+  }
+
+  private zoomBy(factor: number): void {
+    this.wantedDistance = THREE.MathUtils.clamp(this.wantedDistance * factor, closest, farthest);
   }
 
   private drag(dx: number, dy: number): void {

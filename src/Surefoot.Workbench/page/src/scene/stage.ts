@@ -38,6 +38,11 @@ export class Stage {
     return this.average;
   }
 
+  /** The browser has taken the graphics card away; it may give it back. */
+  get isDark(): boolean {
+    return this.renderer.getContext().isContextLost();
+  }
+
   /** Grass where one is outdoors and the machine is quick enough. */
   showGrass(outdoors: boolean): void {
     this.grass.mesh.visible = outdoors && this.grassAffordable;
@@ -79,7 +84,7 @@ export class Stage {
 
   /** A machine that cannot draw 40 frames a second gives up frosted glass, then grass, sharpness and shadows: motion comes first. */
   private adapt(dt: number): void {
-    if (dt > 0.5) return;
+    if (dt === 0 || dt > 0.5) return;
     this.average += (dt - this.average) * 0.05;
     if (++this.settled < 60 || this.average < slowFrame) return;
     this.settled = 0;

@@ -9,7 +9,7 @@ export function makeNameTag(text: string): THREE.Sprite {
   const draw = canvas.getContext("2d")!;
   draw.font = "600 30px system-ui, sans-serif";
   const width = Math.min(250, draw.measureText(text).width + 36);
-  draw.fillStyle = "rgb(16 26 36 / 60%)";
+  draw.fillStyle = "rgb(16 26 36 / 90%)";
   draw.beginPath();
   draw.roundRect((256 - width) / 2, 8, width, 48, 24);
   draw.fill();

@@ -4,6 +4,7 @@ import * as THREE from "three";
 import type { Drawn } from "../net/timeline";
 import type { OwnPose, ServerFrame } from "../net/wire";
 import { blockOf, blockSide, isIndoors } from "../net/world";
+import { isCalm } from "../scene/calm";
 import { Cutaway } from "../scene/cutaway";
 import { horizonColor, sunDirection, zenithColor } from "../scene/sky";
 import { Stage } from "../scene/stage";
@@ -89,8 +90,8 @@ export class WorldView {
     if (pose) this.follow(pose, now, dt);
     this.bodies.update(time, this.origin, now, dt);
     this.objects.moveParts(time);
-    this.terrain.uniforms.time.value = now % 3600;
-    this.stage.sky.update(this.stage.view.camera.position, now % 3600);
+    this.terrain.uniforms.time.value = this.breeze(now);
+    this.stage.sky.update(this.stage.view.camera.position, this.breeze(now));
     this.stage.render(elapsed);
   }
 
@@ -119,11 +120,16 @@ export class WorldView {
     }
     const indoors = isIndoors(pose.cell);
     stage.showGrass(!indoors);
-    if (stage.grass.mesh.visible) stage.grass.update(me.drawn.position.x, me.drawn.position.y, origin, terrain, now % 3600);
+    if (stage.grass.mesh.visible) stage.grass.update(me.drawn.position.x, me.drawn.position.y, origin, terrain, this.breeze(now));
     const feet = me.figure.group.position;
     stage.lights.follow(feet);
     stage.view.update(feet, me.drawn.yaw, dt, indoors, (x, y) => terrain.heightAt(x + origin.x, y + origin.y));
     this.cutWay(feet, pose.cell);
+  }
+
+  /** Seconds of what waves, drifts and ripples. */
+  private breeze(now: number): number {
+    return isCalm() ? 0 : now % 3600;
   }
 
   private cutWay(feet: THREE.Vector3, cell: number): void {

@@ -1,0 +1,144 @@
+// Puts the parts together and draws a frame whenever the screen is ready.
+
+import { Address } from "./hud/address";
+import { commands } from "./hud/commands";
+import { element } from "./hud/elements";
+import { Held } from "./hud/held";
+import { Hud } from "./hud/hud";
+import { type Frames, Inspection } from "./hud/inspection";
+import { Keyboard } from "./hud/keys";
+import { LeftOutPanel } from "./hud/leftOut";
+import { Pointer } from "./hud/pointer";
+import { TouchPad } from "./hud/touchPad";
+import { Connection } from "./net/connection";
+import { Entrance } from "./net/entrance";
+import type { Toggle } from "./net/link";
+import { fetchPlaces } from "./net/places";
+import { Requests } from "./net/requests";
+import { Session } from "./net/session";
+import { formatSpot } from "./net/spot";
+import { PoseFlag, type ServerFrame } from "./net/wire";
+import { WorldView } from "./things/worldView";
+
+export function play(): void {
+  const session = new Session();
+  const surface = element<HTMLCanvasElement>("view");
+  const world = new WorldView(surface);
+  const drawing: Frames = { count: 0, drawnAt: 0 };
+  const listing = fetchPlaces();
+
+  const connection = new Connection(receive, (state) => {
+    if (state !== "open") return hud.cover.show(state);
+    keyboard.releaseAll();
+    requests.mouseTurning(pointer.turnsPlayer);
+  });
+  const requests = new Requests(connection);
+  const hud = new Hud({
+    settings: (settings) => {
+      entrance.chose(settings);
+      address.touch();
+    },
+    toggle,
+    go: (destination) => {
+      if ("spot" in destination) return requests.placeAt(destination.spot);
+      requests.goto(destination.place);
+      hud.showHint(destination.place);
+    },
+    use: () => requests.use(),
+  });
+  const entrance = new Entrance(location.search, listing, requests, {
+    settings: (settings) => hud.skills.show(settings),
+    toggles: (wanted) => {
+      for (const [name, on] of Object.entries(wanted)) hud.toggles.set(name as Toggle, on);
+    },
+    place: (index) => hud.showHint(index),
+    ignored: (parts) => hud.notice.show(`Ignored in the link: ${parts.join("; ")}.`),
+  });
+  const address = new Address(() => {
+    const { spot, ...skills } = entrance.asLink;
+    return { ...skills, at: spot ? formatSpot(spot) : undefined, toggles: hud.toggles.all };
+  });
+  const keyCommands = commands({
+    toggle: (name) => hud.toggles.flip(name),
+    use: () => requests.use(),
+    autoRun: () => requests.autoRun(),
+    recenter: () => world.stage.view.recenter(),
+    goTo: () => hud.goTo.focus(),
+    help: () => hud.help.toggle(),
+    closeHelp: () => hud.help.shown && hud.help.toggle(),
+  });
+  const held = new Held((bits) => requests.keys(bits));
+  const keyboard = new Keyboard(
+    hud.focus,
+    held,
+    () => requests.focusLost(),
+    (code) => keyCommands.get(code)?.(),
+  );
+  const leftOut = new LeftOutPanel();
+  const pointer = new Pointer(surface, (buttons, right) => requests.pointer(buttons, right));
+  new TouchPad(held);
+
+  window.surefoot = new Inspection(world, session, hud, connection, requests, drawing);
+  void listing.then((places) => hud.listPlaces(places));
+  connection.open();
+  requestAnimationFrame(draw);
+
+  function receive(frame: ServerFrame): void {
+    session.receive(frame, performance.now() / 1000);
+    world.receive(frame);
+    if (frame.kind === "event" && entrance.event(frame)) return;
+    hud.receive(frame);
+    if (frame.kind === "welcome") entrance.welcome(frame);
+    if (frame.kind !== "pose") return;
+    entrance.pose(frame);
+    leftOut.enter(frame.cell);
+    if (!entrance.entering) address.touch();
+  }
+
+  let lastFrame = performance.now() / 1000;
+
+  function draw(): void {
+    requestAnimationFrame(draw);
+    // While the server is lost the picture stands still.
+    const now = connection.state === "lost" ? lastFrame : performance.now() / 1000;
+    const elapsed = now - lastFrame;
+    lastFrame = now;
+    drawing.count++;
+    drawing.drawnAt = session.clock.drawTime(now);
+    world.draw(drawing.drawnAt, session.pose, now, elapsed);
+    showNear();
+    if (drawing.count % 15 === 0) hud.panel.showFps(1 / world.stage.frameTime);
+  }
+
+  /** What depends on where the player is drawn. */
+  function showNear(): void {
+    const { drawn } = world;
+    if (!drawn || !session.pose) return;
+    hud.showDoor(world.bodies.doorAt(drawn.position));
+    hud.showCharge((session.pose.flags & PoseFlag.Charging) !== 0, drawn.charge);
+    if (connection.state !== "open") return;
+    if (world.stage.isDark) hud.cover.show("dark");
+    else if (world.terrain.drawn > 0 && !entrance.entering) hud.cover.lift();
+    else hud.cover.show("open");
+  }
+
+  function toggle(name: Toggle, on: boolean): void {
+    switch (name) {
+      case "triangles":
+        world.showsTriangles = on;
+        hud.showTriangles(on);
+        break;
+      case "shapes":
+        world.showsShapes = on;
+        break;
+      case "panels":
+        hud.showPanels(on);
+        break;
+      case "mouse":
+        pointer.turnsPlayer = world.stage.view.rightTurns = on;
+        requests.mouseTurning(on);
+        break;
+    }
+    address.touch();
+  }
+}
