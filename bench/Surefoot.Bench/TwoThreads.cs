@@ -1,6 +1,7 @@
 using System.Diagnostics;
 using Surefoot.Dats;
 using Surefoot.DemoWorld;
+using Surefoot.Physics.Queries;
 using Surefoot.Scenes;
 
 namespace Surefoot.Bench;
@@ -44,9 +45,10 @@ internal static class TwoThreads
             int runner = runners[i], slot = i;
             threads[i] = new Thread(() =>
             {
-                run.Ask(runner);
+                WorldQuery query = run.Engine.CreateQuery();
+                run.Ask(query, runner);
                 start.SignalAndWait();
-                rates[slot] = Rate(run, runner);
+                rates[slot] = Rate(run, query, runner);
             });
             threads[i].Start();
         }
@@ -55,13 +57,13 @@ internal static class TwoThreads
         return rates.Sum();
     }
 
-    private static double Rate(ProbeRun run, int runner)
+    private static double Rate(ProbeRun run, WorldQuery query, int runner)
     {
         long begin = Stopwatch.GetTimestamp(), sweeps = 0;
         double seconds;
         do
         {
-            sweeps += run.Ask(runner);
+            sweeps += run.Ask(query, runner);
             seconds = Stopwatch.GetElapsedTime(begin).TotalSeconds;
         }
         while (seconds < WindowSeconds);

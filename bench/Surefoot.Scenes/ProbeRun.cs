@@ -3,6 +3,7 @@ using Surefoot.Dats;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
+using Surefoot.Physics.Queries;
 using Surefoot.Physics.World;
 using Surefoot.Server;
 
@@ -61,12 +62,14 @@ public sealed class ProbeRun : SceneRun
     public override void Step() => Engine.Tick(Engine.Now + Quantum + 1e-9);
 
     /// <summary>Asks about each quantum of a player's run once.</summary>
+    /// <param name="query">The asking thread's own.</param>
     /// <param name="runner">Which player.</param>
     /// <returns>How many questions that were.</returns>
-    public int Ask(int runner)
+    public int Ask(WorldQuery query, int runner)
     {
+        ArgumentNullException.ThrowIfNull(query);
         PhysicsBody body = Bodies[runner];
-        foreach (ref readonly Way way in runs[runner].AsSpan()) body.Probe(way.From, way.To);
+        foreach (ref readonly Way way in runs[runner].AsSpan()) query.Sweep(body, way.From, way.To);
         return Quanta;
     }
 

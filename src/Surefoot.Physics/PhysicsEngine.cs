@@ -1,10 +1,9 @@
-using System.Numerics;
 using Surefoot.Dats;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Decisions;
-using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
+using Surefoot.Physics.Queries;
 using Surefoot.Physics.Steering;
 using Surefoot.Physics.Transitions;
 using Surefoot.Physics.World;
@@ -12,15 +11,15 @@ using Surefoot.Physics.World;
 namespace Surefoot.Physics;
 
 /// <summary>
-/// The door: a world and the bodies in it. One thread at a time changes it; while nobody does, any number of threads may ask (<see cref="Resolve"/>,
-/// <see cref="PhysicsBody.Probe(in Position, TraceBuffer)"/>). Worlds share nothing that is written, so each thread may have its own.
+/// The door: a world and the bodies in it. One thread at a time changes it; while nobody does, any number of threads may ask, each by a <see cref="WorldQuery"/>
+/// of its own. Engines share nothing that is written, so each thread may have its own.
 /// </summary>
 /// <remarks>Retail: CPhysics.</remarks>
 public sealed class PhysicsEngine : ILoadListener
 {
     private readonly BodyTable bodies = new();
     private readonly StaticAnimations statics = new();
-    private readonly ThreadLocal<TransitionPool> questions;
+    private WorldQuery? own;
     private double lastUpdate;
     private ulong rollState;
 
@@ -53,7 +52,6 @@ public sealed class PhysicsEngine : ILoadListener
         World = world;
         Cells = cells;
         Transitions = new TransitionPool(cells);
-        questions = new ThreadLocal<TransitionPool>(() => new TransitionPool(cells));
         rollState = seed;
         world.Attach(this);
     }
@@ -78,9 +76,6 @@ public sealed class PhysicsEngine : ILoadListener
 
     /// <summary>The work objects of those who change bodies, one thread at a time.</summary>
     internal TransitionPool Transitions { get; }
-
-    /// <summary>The work objects of those who only ask: each thread has its own, and threads share nothing that is written.</summary>
-    internal TransitionPool Questions => questions.Value!;
 
     /// <summary>Bodies in the order in which they are updated.</summary>
     public IEnumerable<PhysicsBody> Bodies => bodies;
@@ -156,26 +151,21 @@ public sealed class PhysicsEngine : ILoadListener
     }
 
     /// <summary>
-    /// Where a body of this shape would end that wants to go from one place to another in one quantum, standing where it
-    /// begins when it touches the ground there. Nothing in the world changes, so any number of threads may ask while nobody changes it.
+    /// Where a body of this shape would end that wants to go from one place to another in one quantum, standing where it begins when it touches the ground there:
+    /// a <see cref="WorldQuery.Sweep(in SweepInput, TraceBuffer)"/> by the engine's own query. Nothing in the world changes. Threads that ask at once have a query each.
     /// </summary>
     /// <param name="setup">Shape of the body.</param>
     /// <param name="from">Begin.</param>
     /// <param name="to">End wanted.</param>
     /// <param name="state">Physics state word of the body.</param>
     /// <param name="weenie">What kind of body.</param>
-    /// <returns>The outcome; <see cref="ResolveResult.Found"/> is false when the begin is nowhere.</returns>
-    public ResolveResult Resolve(
-        SetupAsset setup, in Position from, in Position to, PhysicsState state = PhysicsState.Default, WeenieTraits weenie = WeenieTraits.None)
-    {
-        ArgumentNullException.ThrowIfNull(setup);
-        if (!RetailMath.IsFinite(from.Frame.Origin) || !RetailMath.IsFinite(to.Frame.Origin)) throw new ArgumentException("A position is not finite.");
-        PhysicsBody probe = new(this, 0, setup, state, weenie, 1f);
-        Position begin = from;
-        Cells.AdjustPosition(ref begin, setup.Spheres.Length > 0 ? setup.Spheres[0].Center : Vector3.Zero, out ObjCell? cell);
-        probe.SeatAt(begin, cell);
-        return cell is null ? default : probe.Probe(to);
-    }
+    /// <exception cref="ArgumentException">A position is not finite, an id cannot name a cell, or the shape is none that can move.</exception>
+    public SweepResult Resolve(
+        SetupAsset setup, in Position from, in Position to, PhysicsState state = PhysicsState.Default, WeenieTraits weenie = WeenieTraits.None) =>
+        (own ??= CreateQuery()).Sweep(new SweepInput(new Mover(setup, state, weenie), from, to));
+
+    /// <summary>Work objects for one more thread that asks about this world.</summary>
+    public WorldQuery CreateQuery() => new(this);
 
     /// <summary>Bodies whose cell came with a landblock enter the world again, and its animated statics begin to move.</summary>
     /// <param name="block">The landblock.</param>
@@ -248,26 +238,3 @@ public sealed record PhysicsEngineOptions
 /// <param name="Table">Its motions; null for a body that has none of its own: it gets an interpreter when it is first ordered somewhere.</param>
 /// <param name="Weenie">What the game knows of it; null counts as a creature with run rate 1.</param>
 public sealed record BodyMotions(MotionTableAsset? Table, IWeenieObj? Weenie = null);
-
-/// <summary>Outcome of <see cref="PhysicsEngine.Resolve"/>.</summary>
-/// <param name="Found">A valid position was found; it may be the begin.</param>
-/// <param name="Position">Where the body ends.</param>
-/// <param name="HasContact">It touches a plane there.</param>
-/// <param name="ContactPlane">That plane.</param>
-/// <param name="CollisionNormal">Unit normal of the last collision on the way, or null.</param>
-/// <param name="CollidedWithEnvironment">It hit terrain, a building, a room or a static object without standing.</param>
-/// <param name="SlidingNormal">Horizontal unit normal, or zero, of the wall it slides along next; null for none.</param>
-/// <param name="LosesVelocity">A body that goes there loses its velocity, even when no valid position was found.</param>
-public readonly record struct ResolveResult(
-    bool Found, Position Position, bool HasContact, Plane ContactPlane, Vector3? CollisionNormal, bool CollidedWithEnvironment,
-    Vector3? SlidingNormal, bool LosesVelocity)
-{
-    internal static ResolveResult Of(bool found, Transition transition)
-    {
-        CollisionInfo met = transition.Collision;
-        return new ResolveResult(
-            found, transition.Path.CurrPos, met.ContactPlaneValid, met.ContactPlane,
-            met.CollisionNormalValid ? met.CollisionNormal : null, met.CollidedWithEnvironment,
-            met.SlidingNormalValid ? met.SlidingNormal : null, met.StopsMover);
-    }
-}

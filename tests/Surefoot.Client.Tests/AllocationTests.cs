@@ -1,7 +1,9 @@
 using System.Numerics;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Decisions;
+using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
+using Surefoot.Physics.Queries;
 using Surefoot.Physics.World;
 
 namespace Surefoot.Client.Tests;
@@ -84,12 +86,19 @@ public sealed class AllocationTests(DemoFiles files) : IClassFixture<DemoFiles>
 
     [Fact]
     [Behaviour("performance.probe-allocates-nothing", "design.md, decision 4")]
-    public void Asking_where_a_way_leads_allocates_nothing()
+    public void Asking_a_world_allocates_nothing()
     {
         DemoWalk walk = new(files, "forest", new CharacterStats(300, 300));
         Position place = walk.Position;
         place.Frame.Origin += new Vector3(3, 4, 0);
-        Assert.Equal(0, Allocated(() => walk.Body.Probe(place)));
+        WorldQuery query = walk.Body.Engine.CreateQuery();
+        Mover mover = new(walk.Body.Setup!);
+        Assert.Equal(0, Allocated(() => query.Sweep(walk.Body, place)));
+        Assert.Equal(0, Allocated(() => query.Sweep(new SweepInput(mover, walk.Position, place))));
+        Assert.Equal(0, Allocated(() => query.Place(new PlaceInput(mover, place))));
+        Assert.Equal(0, Allocated(() => query.ProbeDown(new ProbeDownInput(mover, place, 3))));
+        Assert.Equal(0, Allocated(() => query.Overlap(new SphereInput(place.CellId, new Sphere(place.Frame.Origin, 2)))));
+        Assert.Equal(0, Allocated(() => query.Overlap(new PointInput(place.CellId, place.Frame.Origin))));
     }
 
     [Theory]

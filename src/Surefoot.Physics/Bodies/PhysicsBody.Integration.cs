@@ -138,7 +138,7 @@ public sealed partial class PhysicsBody
             return;
         }
 
-        bool found = Sweep(transition, CurrentSeat, Cell, proposal);
+        bool found = transition.Sweep(this, CurrentSeat, Cell, proposal);
         engine.Transitions.Return();
         TakeStop(transition);
         if (!found || (engine.RefuseLeavingCells && transition.Path.CurrCell is null))

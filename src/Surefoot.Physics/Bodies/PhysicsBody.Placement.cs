@@ -1,5 +1,3 @@
-using System.Numerics;
-using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Transitions;
 using Surefoot.Physics.World;
 
@@ -65,8 +63,6 @@ public readonly record struct PlacementRequest(
 /// <content>Putting a body somewhere.</content>
 public sealed partial class PhysicsBody
 {
-    private const float PlacementTolerance = 0.05f;
-
     /// <summary>Puts the body somewhere. No contact and no wall of where it was is taken along.</summary>
     /// <exception cref="ArgumentException">The position or a radius is not finite, or the id cannot name a cell.</exception>
     /// <remarks>Retail: CPhysicsObj::SetPosition @0x005160C0.</remarks>
@@ -80,7 +76,7 @@ public sealed partial class PhysicsBody
     private PlacementResult Place(in PlacementRequest request)
     {
         if (!engine.Transitions.TryRent(out Transition? transition, Trace)) return PlacementResult.GeneralFailure;
-        SeedMover(transition, MoverFlags.None);
+        transition.SeedMover(this, MoverFlags.None);
         PlacementResult result;
         if ((request.Flags & PlacementFlags.RandomScatter) != 0)
         {
@@ -123,42 +119,22 @@ public sealed partial class PhysicsBody
     private PlacementResult PlaceAt(Position place, PlacementFlags flags, Transition transition)
     {
         if (Cell is null) PrepareToEnterWorld();
-        Vector3 foot = Setup is { Spheres.Length: > 0 } ? RetailMath.Scale(Setup.Spheres[0].Center, Scale) : DummySphere[0].Center;
-        engine.Cells.AdjustPosition(ref place, foot, out ObjCell? cell);
+        engine.Cells.AdjustPosition(ref place, TransitionSeeds.FootOf(this), out ObjCell? cell);
         if (cell is null)
         {
             GoToLostCell(place);
             return PlacementResult.OK;
         }
 
-        if ((Weenie & (WeenieTraits.Hook | WeenieTraits.Storage | WeenieTraits.Corpse)) != 0) return ForceIntoCell(cell, place);
+        if (HangsWhereItIsPut(Weenie)) return ForceIntoCell(cell, place);
         if ((flags & PlacementFlags.DoNotCreateCells) != 0) transition.Cells.DoNotLoadCells = true;
-        bool free = CheckPosition(cell, ref place, transition, (flags & PlacementFlags.Slide) != 0);
+        bool free = transition.Place(cell, ref place, (flags & PlacementFlags.Slide) != 0);
         TakeStop(transition);
         if (!free)
             return HandleAllCollisions(transition.Collision, false, false, updateTime) ? PlacementResult.Collided : PlacementResult.NoValidPosition;
         if (transition.Path.CurrCell is null) return PlacementResult.NoCell;
         Commit(transition, updateTime);
         return PlacementResult.OK;
-    }
-
-    /// <summary>
-    /// Without sliding the found place must be in the same cell and less than 5 cm east or north of the one asked for; the test is
-    /// signed, so any move west or south passes.
-    /// </summary>
-    /// <remarks>Retail: CPhysicsObj::CheckPositionInternal @0x00511E90.</remarks>
-    private static bool CheckPosition(ObjCell cell, ref Position place, Transition transition, bool slide)
-    {
-        transition.Path.InitPath(cell, hasBegin: false, default, place);
-        if (!slide) transition.Path.PlacementAllowsSliding = false;
-        if (!transition.FindValidPosition()) return false;
-        if (slide) return true;
-        Position found = transition.Path.CurrPos;
-        bool near = (double)found.Frame.Origin.X - place.Frame.Origin.X < PlacementTolerance &&
-                    (double)found.Frame.Origin.Y - place.Frame.Origin.Y < PlacementTolerance;
-        if (!near || transition.Path.CurrCell?.Id != cell.Id) return false;
-        place.Frame.Origin = found.Frame.Origin;
-        return true;
     }
 
     /// <summary>Puts hooks, chests and corpses where they are told, without contact: they hang there.</summary>
@@ -172,10 +148,13 @@ public sealed partial class PhysicsBody
         return PlacementResult.OK;
     }
 
-    internal static void ThrowIfBad(in Position position)
+    /// <summary>Hooks, chests and corpses are put where they are told without any test.</summary>
+    internal static bool HangsWhereItIsPut(WeenieTraits weenie) => (weenie & (WeenieTraits.Hook | WeenieTraits.Storage | WeenieTraits.Corpse)) != 0;
+
+    internal static void ThrowIfBad(in Position position, string name = "position")
     {
-        ThrowIfNotFinite(position.Frame.Origin, nameof(position));
-        if (!position.Frame.IsValid) throw new ArgumentException("The orientation is not a unit quaternion.", nameof(position));
-        if (!CellIds.HasValidIndex(position.CellId)) throw new ArgumentException($"0x{position.CellId:X8} cannot name a cell.", nameof(position));
+        ThrowIfNotFinite(position.Frame.Origin, name);
+        if (!position.Frame.IsValid) throw new ArgumentException("The orientation is not a unit quaternion.", name);
+        if (!CellIds.HasValidIndex(position.CellId)) throw new ArgumentException($"0x{position.CellId:X8} cannot name a cell.", name);
     }
 }

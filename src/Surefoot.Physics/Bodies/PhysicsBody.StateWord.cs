@@ -91,7 +91,7 @@ public sealed partial class PhysicsBody
     {
         if (State.Has(PhysicsState.Static)) return false;
         if (!engine.Transitions.TryRent(out Transition? transition)) return false;
-        SeedMover(transition, SeedContact(transition, CurrentSeat));
+        transition.SeedMover(this, transition.SeedContact(this, CurrentSeat));
         transition.Path.InitPath(Cell, hasBegin: true, PositionField, PositionField);
         bool hit = transition.CheckCollisions(target);
         engine.Transitions.Return();

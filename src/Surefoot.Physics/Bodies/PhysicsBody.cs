@@ -224,8 +224,10 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody, IHookTarget
     /// Re-seats the body in the state of a recorded step, without any test: for replays, for saved states, and for servers that check a
     /// client's report.
     /// </summary>
+    /// <exception cref="ArgumentException">A number of the state is not finite, or its id cannot name a cell; nothing has changed.</exception>
     public void Seat(in BodySeat seat)
     {
+        seat.ThrowIfBad(nameof(seat));
         SeatAt(seat.Position, engine.Cells.GetVisible(seat.Position.CellId));
         UpdateParts();
         velocity = seat.Velocity;
@@ -272,4 +274,13 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody, IHookTarget
 /// <param name="TouchesEnvironment">A collision with the environment was reported and has not ended.</param>
 public readonly record struct BodySeat(
     Position Position, Vector3 Velocity, TransientState Transient, Plane ContactPlane, uint ContactPlaneCellId, Vector3 SlidingNormal,
-    bool TouchesEnvironment = false);
+    bool TouchesEnvironment = false)
+{
+    internal void ThrowIfBad(string name)
+    {
+        PhysicsBody.ThrowIfBad(Position, name);
+        if (!RetailMath.IsFinite(Velocity)) throw new ArgumentException("The velocity is not finite.", name);
+        if (!RetailMath.IsFinite(ContactPlane.Normal) || !float.IsFinite(ContactPlane.D)) throw new ArgumentException("The contact plane is not finite.", name);
+        if (!RetailMath.IsFinite(SlidingNormal)) throw new ArgumentException("The sliding normal is not finite.", name);
+    }
+}

@@ -50,9 +50,12 @@ public sealed class ObjectInfo
     }
 
     /// <remarks>Retail: OBJECTINFO::init @0x0050CF30.</remarks>
-    internal void Init(WorldObject mover, MoverFlags flags)
+    /// <param name="mover">Who moves.</param>
+    /// <param name="flags">How it stands.</param>
+    /// <param name="identity">Who is not run into, when that is somebody else.</param>
+    internal void Init(WorldObject mover, MoverFlags flags, WorldObject? identity = null)
     {
-        Mover = mover;
+        Mover = identity ?? mover;
         State = mover.State;
         Weenie = mover.Weenie;
         StepUpHeight = mover.StepUpHeight;

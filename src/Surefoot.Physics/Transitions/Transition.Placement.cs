@@ -110,6 +110,31 @@ public sealed partial class Transition
         return target.FindObjCollisions(this) != TransitionState.OK;
     }
 
+    /// <summary>
+    /// Do the spheres, where they are, reach into anything solid? Nobody is asked whether the mover may be there, and open water stops nobody.
+    /// </summary>
+    /// <param name="loaded">False when they reach into a cell that is not loaded.</param>
+    internal bool Overlaps(out bool loaded)
+    {
+        Path.InsertType = InsertType.Placement;
+        Path.SetCheckPos(Path.CurrPos, Path.CurrCell);
+        BuildCellArray();
+        loaded = true;
+        for (int i = 0; i < Cells.Count; i++)
+        {
+            if (Cells[i].Cell is not { } cell)
+            {
+                loaded = false;
+                continue;
+            }
+
+            Trace?.Asks(cell);
+            if (cell.FindOverlap(this) != TransitionState.OK) return true;
+        }
+
+        return false;
+    }
+
     /// <remarks>Retail: CTransition::placement_insert @0x0050B1D0.</remarks>
     private TransitionState PlacementInsert()
     {

@@ -196,13 +196,15 @@ internal static class TransitionTrace
         return path.Collide ? SweepQuestion.Land : SweepQuestion.Move;
     }
 
-    private static TraceSubject SubjectOf(ObjCell cell) =>
+    internal static TraceSubject SubjectOf(ObjCell cell) =>
         TraceSubject.None with { Kind = CellIds.IsOutdoor(cell.Id) ? TraceSubjectKind.Ground : TraceSubjectKind.Room, CellId = cell.Id };
 
-    private static TraceSubject SubjectOf(TraceBuffer trace, WorldObject target) => TraceSubject.None with
+    private static TraceSubject SubjectOf(TraceBuffer trace, WorldObject target) => SubjectOf(target, trace.Subject.CellId);
+
+    internal static TraceSubject SubjectOf(WorldObject target, uint cellId) => TraceSubject.None with
     {
         Kind = target is StaticObject item ? item.IsScenery ? TraceSubjectKind.Scenery : TraceSubjectKind.Object : TraceSubjectKind.Body,
-        CellId = trace.Subject.CellId,
+        CellId = cellId,
         ObjectId = target.Id,
         SetupId = target.Setup?.Id ?? 0,
     };

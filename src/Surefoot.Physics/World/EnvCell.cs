@@ -56,14 +56,24 @@ public sealed class EnvCell : ObjCell
         return state == TransitionState.OK ? FindObjCollisions(transition) : state;
     }
 
+    /// <inheritdoc/>
+    internal override TransitionState FindOverlap(Transition transition)
+    {
+        TransitionState state = FindWalls(transition);
+        return state == TransitionState.OK ? FindObjCollisions(transition) : state;
+    }
+
     /// <remarks>Retail: CEnvCell::find_env_collisions @0x0052C130.</remarks>
     private TransitionState FindEnvCollisions(Transition transition)
     {
         TransitionState state = CheckEntryRestrictions(transition);
-        if (state != TransitionState.OK) return state;
+        return state == TransitionState.OK ? FindWalls(transition) : state;
+    }
 
+    private TransitionState FindWalls(Transition transition)
+    {
         transition.Path.ObstructionEthereal = false;
-        state = Shape.FindCollisions(transition, position);
+        TransitionState state = Shape.FindCollisions(transition, position);
         if (state != TransitionState.OK && !transition.Object.Has(MoverFlags.Contact)) transition.Collision.CollidedWithEnvironment = true;
         return state;
     }

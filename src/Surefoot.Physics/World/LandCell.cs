@@ -45,8 +45,14 @@ public sealed class LandCell : ObjCell
     internal override TransitionState FindCollisions(Transition transition)
     {
         TransitionState state = FindEnvCollisions(transition);
-        if (state == TransitionState.OK && Building is not null) state = Building.FindBuildingCollisions(transition);
-        return state == TransitionState.OK ? FindObjCollisions(transition) : state;
+        return state == TransitionState.OK ? FindThings(transition) : state;
+    }
+
+    /// <inheritdoc/>
+    internal override TransitionState FindOverlap(Transition transition)
+    {
+        TransitionState state = FindGround(transition, mayBeWater: true);
+        return state == TransitionState.OK ? FindThings(transition) : state;
     }
 
     /// <remarks>Retail: CLandCell::find_transit_cells @0x00533800.</remarks>
@@ -77,13 +83,22 @@ public sealed class LandCell : ObjCell
         transition.Collision.SetCollisionNormal(normal);
     }
 
+    private TransitionState FindThings(Transition transition)
+    {
+        TransitionState state = Building is null ? TransitionState.OK : Building.FindBuildingCollisions(transition);
+        return state == TransitionState.OK ? FindObjCollisions(transition) : state;
+    }
+
     /// <summary>The terrain's answer: the triangle is chosen by the foot's lowest point. A sphere over another cell is tested there only.</summary>
     /// <remarks>Retail: CLandCell::find_env_collisions @0x00532F20.</remarks>
     private TransitionState FindEnvCollisions(Transition transition)
     {
         TransitionState allowed = CheckEntryRestrictions(transition);
-        if (allowed != TransitionState.OK) return allowed;
+        return allowed == TransitionState.OK ? FindGround(transition, mayBeWater: false) : allowed;
+    }
 
+    private TransitionState FindGround(Transition transition, bool mayBeWater)
+    {
         SpherePath path = transition.Path;
         TerrainSurface terrain = block.Terrain;
         Vector3 offset = CellIds.BlockOffset(path.CheckPos.CellId, Id);
@@ -91,7 +106,7 @@ public sealed class LandCell : ObjCell
         int triangle = terrain.FindTriangle(index, low);
         if (triangle < 0) return TransitionState.OK;
         transition.Trace?.AsksTriangle(triangle);
-        if (terrain.BlockWaterType == WaterType.Entirely && IsStoppedByOpenWater(transition.Object))
+        if (!mayBeWater && terrain.BlockWaterType == WaterType.Entirely && IsStoppedByOpenWater(transition.Object))
         {
             transition.Trace?.Responded(transition, TransitionResponse.Stop, Vector3.Zero, false, TraceReason.OpenWater);
             return TransitionState.Collided;

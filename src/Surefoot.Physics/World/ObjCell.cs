@@ -33,6 +33,9 @@ public abstract partial class ObjCell
     /// <summary>Tests the spheres of the transition's check position against everything in this cell.</summary>
     internal abstract TransitionState FindCollisions(Transition transition);
 
+    /// <summary>The same of spheres that are nobody's: whether they may be here is not asked, and open water is no obstacle.</summary>
+    internal virtual TransitionState FindOverlap(Transition transition) => FindCollisions(transition);
+
     /// <summary>True when a point, in this cell's block frame, belongs to the cell.</summary>
     internal abstract bool PointInCell(in Vector3 point);
 

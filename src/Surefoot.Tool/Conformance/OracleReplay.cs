@@ -4,6 +4,7 @@ using Surefoot.Physics;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
+using Surefoot.Physics.Queries;
 using Surefoot.Physics.World;
 
 namespace Surefoot.Tool.Conformance;
@@ -31,6 +32,8 @@ internal sealed class OracleReplay(PhysicsEngine engine, Func<uint, SetupAsset> 
     private const double NormalTolerance = 1e-4;
     private const double VelocityTolerance = 0.01;
     private const TransientState Compared = (TransientState)0x7F;
+
+    private readonly WorldQuery query = engine.CreateQuery();
 
     /// <summary>The kinds of cases.</summary>
     internal static readonly string[] Families = ["placement", "transition", "walk"];
@@ -96,7 +99,7 @@ internal sealed class OracleReplay(PhysicsEngine engine, Func<uint, SetupAsset> 
     private static string? DepartureOf(PhysicsState state) =>
         (state & PhysicsState.AlignPath) != 0 ? "heading of a missile" : (state & PhysicsState.Sledding) != 0 ? "sled" : null;
 
-    private static OracleResult Sweep(PhysicsBody mover, OracleCase one)
+    private OracleResult Sweep(PhysicsBody mover, OracleCase one)
     {
         OracleState begin = one.Begin!;
         Position end = PositionOf(one.End!, Quaternion.Identity);
@@ -107,7 +110,7 @@ internal sealed class OracleReplay(PhysicsEngine engine, Func<uint, SetupAsset> 
         string? SweepFrom(Vector3 at)
         {
             Seat(mover, begin with { Pos = at }, Quaternion.Identity);
-            return CompareSweep(mover.Probe(end), one.Out!);
+            return CompareSweep(query.Sweep(mover, end), one.Out!);
         }
     }
 
@@ -165,7 +168,7 @@ internal sealed class OracleReplay(PhysicsEngine engine, Func<uint, SetupAsset> 
         return results;
     }
 
-    private static string? CompareSweep(in ResolveResult swept, OracleOutcome recorded)
+    private static string? CompareSweep(in SweepResult swept, OracleOutcome recorded)
     {
         if (swept.Found != recorded.Found) return $"found {swept.Found}, recorded {recorded.Found}";
         if (!recorded.Found) return null;
@@ -173,7 +176,8 @@ internal sealed class OracleReplay(PhysicsEngine engine, Func<uint, SetupAsset> 
             throw new InvalidDataException("not a recorded result of a peer: its result has no position.");
         if (swept.Position.CellId != cell) return $"cell {swept.Position.CellId:X8}, recorded {cell.Value:X8}";
         if (!((swept.Position.Frame.Origin - at).Length() <= Tolerance)) return $"position {swept.Position.Frame.Origin}, recorded {at}";
-        if (swept.HasContact != recorded.Contact) return $"contact {swept.HasContact}, recorded {recorded.Contact}";
+        bool contact = swept.Contact is not null;
+        if (contact != recorded.Contact) return $"contact {contact}, recorded {recorded.Contact}";
         return SameNormal(swept.SlidingNormal, recorded.Sliding) ? null : "sliding normal";
     }
 

@@ -3,6 +3,7 @@ using Surefoot.Physics;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
+using Surefoot.Physics.Queries;
 using Surefoot.Physics.World;
 
 namespace Surefoot.Workbench.Simulation;
@@ -97,7 +98,7 @@ internal sealed class Arrival(PhysicsEngine engine, PhysicsWorld land, SetupAsse
 
     private Position? WalkTo(in Position from, in Position to)
     {
-        ResolveResult walk = engine.Resolve(shape, from, to, weenie: Player);
+        SweepResult walk = engine.Resolve(shape, from, to, weenie: Player);
         if (!walk.Found || walk.Position.HorizontalDistanceTo(to) > 0.1) return null;
         return new Position(walk.Position.CellId, new Frame(walk.Position.Frame.Origin, from.Frame.Rotation));
     }

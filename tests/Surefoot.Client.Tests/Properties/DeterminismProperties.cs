@@ -7,6 +7,7 @@ using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
+using Surefoot.Physics.Queries;
 using Surefoot.Physics.World;
 
 namespace Surefoot.Client.Tests.Properties;
@@ -91,17 +92,46 @@ public sealed class DeterminismProperties(DemoFiles files) : IClassFixture<DemoF
         for (int i = 0; i < 60; i++) walk.Tick();
         Position[] wishes = [.. Enumerable.Range(0, 400).Select(i => Ahead(bodies[i % bodies.Length], (float)(i * 0.7), 0.2f + (i % 7)))];
         ulong before = walk.Body.Engine.HashState();
-        ResolveResult[] alone = [.. wishes.Select((wish, i) => bodies[i % bodies.Length].Probe(wish))];
+        WorldQuery query = walk.Body.Engine.CreateQuery();
+        SweepResult[] alone = [.. wishes.Select((wish, i) => query.Sweep(bodies[i % bodies.Length], wish))];
         for (int round = 0; round < 5; round++)
         {
-            ResolveResult[] together = new ResolveResult[wishes.Length];
-            Parallel.For(0, wishes.Length, new ParallelOptions { MaxDegreeOfParallelism = 4 }, i => together[i] = bodies[i % bodies.Length].Probe(wishes[i]));
+            SweepResult[] together = new SweepResult[wishes.Length];
+            Parallel.For(
+                0, wishes.Length, new ParallelOptions { MaxDegreeOfParallelism = 4 }, walk.Body.Engine.CreateQuery,
+                (i, _, own) =>
+                {
+                    together[i] = own.Sweep(bodies[i % bodies.Length], wishes[i]);
+                    return own;
+                },
+                static _ => { });
             Assert.Equal(alone, together);
         }
 
         Assert.Contains(alone, answer => answer.LosesVelocity);
         Assert.Equal(before, walk.Body.Engine.HashState());
     }
+
+    [Fact]
+    [Behaviour("properties.questions-change-nothing", "design.md, decision 6")]
+    public void No_question_changes_a_bit_of_any_state_or_of_what_comes_after() =>
+        Gen.Select(Trip.Any, Trip.Ways.Array[1, 6]).Sample(
+            (trip, ways) =>
+            {
+                ulong[] unasked = Hashes(trip);
+                if (Journey.Begin(files, trip) is not { } journey) return;
+                WorldQuery query = journey.Engine.CreateQuery();
+                Mover mover = new(journey.Body.Setup!, journey.Body.State, journey.Body.Weenie, journey.Body.Scale);
+                int step = 0;
+                ulong[] asked = Hashes(journey, () =>
+                {
+                    ulong before = journey.Engine.HashState();
+                    AskAll(query, mover, journey.Body, ways[step++ % ways.Length]);
+                    Assert.Equal(before, journey.Engine.HashState());
+                });
+                Assert.Equal(unasked, asked);
+            },
+            iter: Fuzz.Cases(200));
 
     [Fact]
     [Behaviour("properties.trace-same-bits", "design.md, decision 6")]
@@ -118,6 +148,20 @@ public sealed class DeterminismProperties(DemoFiles files) : IClassFixture<DemoF
                 Assert.Equal(silent, told);
             },
             iter: Fuzz.Cases(300));
+
+    private static void AskAll(WorldQuery query, Mover mover, PhysicsBody body, Vector3 way)
+    {
+        Position from = body.Position, to = from;
+        to.Frame.Origin += way;
+        if (!CellIds.HasValidIndex(from.CellId)) return;
+        query.Sweep(body, to);
+        query.Sweep(body, body.CurrentSeat with { Velocity = way }, to);
+        query.Sweep(new SweepInput(mover, from, to));
+        query.Place(new PlaceInput(mover, to));
+        query.ProbeDown(new ProbeDownInput(mover, to, 5));
+        query.Overlap(new SphereInput(to.CellId, new Sphere(to.Frame.Origin, 1)));
+        query.Overlap(new PointInput(to.CellId, to.Frame.Origin));
+    }
 
     private static Position Ahead(PhysicsBody body, float direction, float way)
     {

@@ -4,6 +4,7 @@ using Surefoot.Physics;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
+using Surefoot.Physics.Queries;
 using Surefoot.Physics.Tests.World;
 using Surefoot.Physics.World;
 
@@ -86,10 +87,10 @@ public sealed class ExceptionTests(DemoFiles files) : IClassFixture<DemoFiles>
         Assert.Equal(Stand.Inside, test.Judge(body, Off(touching, new Vector3(0, 0, -0.01f)), false));
 
         body.Seat(new BodySeat(above, Vector3.Zero, TransientState.None, default, 0, Vector3.Zero));
-        ResolveResult fall = body.Probe(Off(touching, new Vector3(0, 0, 0.005f)));
+        SweepResult fall = engine.CreateQuery().Sweep(body, Off(touching, new Vector3(0, 0, 0.005f)));
         Assert.True(fall.Found);
         Assert.Equal(touching.Frame.Origin.Z + 0.005f, fall.Position.Frame.Origin.Z, 1e-4f);
-        Assert.Equal(Stand.SolidWithoutFaces, test.Judge(body, fall.Position, fall.HasContact));
+        Assert.Equal(Stand.SolidWithoutFaces, test.Judge(body, fall.Position, fall.Contact is not null));
     }
 
     [Fact]

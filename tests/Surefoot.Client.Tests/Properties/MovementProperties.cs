@@ -1,9 +1,9 @@
 using System.Numerics;
 using CsCheck;
-using Surefoot.Physics;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
+using Surefoot.Physics.Queries;
 using Surefoot.Physics.World;
 
 namespace Surefoot.Client.Tests.Properties;
@@ -42,13 +42,14 @@ public sealed class MovementProperties(DemoFiles files) : IClassFixture<DemoFile
             {
                 PhysicsBody body = journey.Body;
                 SolidTest test = new(journey.World);
+                WorldQuery query = journey.Engine.CreateQuery();
                 foreach (Vector3 way in ways)
                 {
                     Position to = body.Position;
                     to.Frame.Origin += way;
-                    ResolveResult result = body.Probe(to);
+                    SweepResult result = query.Sweep(body, to);
                     if (!result.Found || journey.World.GetVisible(result.Position.CellId) is null) continue;
-                    Stand stand = test.Judge(body, result.Position, result.HasContact);
+                    Stand stand = test.Judge(body, result.Position, result.Contact is not null);
                     Assert.True(stand != Stand.Inside, $"{way} from {body.Position} ends at {result.Position} inside something of {test.Culprit?.Id:X8}");
                 }
             }),

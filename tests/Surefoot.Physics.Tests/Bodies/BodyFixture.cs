@@ -1,6 +1,7 @@
 using System.Numerics;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
+using Surefoot.Physics.Queries;
 using Surefoot.Physics.Tests.Transitions;
 using Surefoot.Physics.World;
 
@@ -24,6 +25,8 @@ internal sealed class BodyFixture
     internal PhysicsEngine Engine { get; }
 
     internal PhysicsBody Body { get; }
+
+    internal WorldQuery Query => field ??= Engine.CreateQuery();
 
     internal float Z => Body.Position.Frame.Origin.Z;
 

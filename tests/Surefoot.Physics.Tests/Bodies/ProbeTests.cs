@@ -1,5 +1,6 @@
 using System.Numerics;
 using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Queries;
 using Surefoot.Physics.Tests.Transitions;
 using Surefoot.Physics.World;
 
@@ -16,7 +17,7 @@ public class ProbeTests
         BodyFixture f = Blocked();
         f.Body.SetActive(false);
         ulong before = f.Engine.HashState();
-        ResolveResult answer = f.Body.Probe(Ahead(0.1f));
+        SweepResult answer = f.Query.Sweep(f.Body, Ahead(0.1f));
         Assert.True(answer is { Found: true, LosesVelocity: true });
         Assert.Equal(Vector3.Zero, answer.Position.Frame.Origin);
         Assert.Equal(before, f.Engine.HashState());
@@ -57,14 +58,14 @@ public class ProbeTests
         f.Seat(new Vector3(5, 5, 0), Running, BodyFixture.Standing);
         ulong before = f.Engine.HashState();
         BodySeat falling = new(At(new Vector3(0, 0, 0.1f)), Vector3.Zero, TransientState.None, default, 0, Vector3.Zero);
-        ResolveResult fall = f.Body.Probe(falling, At(new Vector3(0, 0, -0.1f)));
-        Assert.True(fall is { Found: true, HasContact: true });
+        SweepResult fall = f.Query.Sweep(f.Body, falling, At(new Vector3(0, 0, -0.1f)));
+        Assert.True(fall is { Found: true, Contact: not null });
         Assert.Equal(0, fall.Position.Frame.Origin.Z, 1e-5f);
         Assert.Equal(before, f.Engine.HashState());
 
         f.Body.Seat(falling);
-        Assert.Equal(fall, f.Body.Probe(At(new Vector3(0, 0, -0.1f))));
-        Assert.False(f.Body.Probe(falling with { Position = new Position(0x01010009, Vector3.Zero) }, Ahead(1)).Found);
+        Assert.Equal(fall, f.Query.Sweep(f.Body, At(new Vector3(0, 0, -0.1f))));
+        Assert.False(f.Query.Sweep(f.Body, falling with { Position = new Position(0x01010009, Vector3.Zero) }, Ahead(1)).Found);
     }
 
     [Theory, Behaviour("probe.bad-input", "design.md, decision 7")]
@@ -75,10 +76,10 @@ public class ProbeTests
         BodyFixture f = new();
         f.Seat(Vector3.Zero, Vector3.Zero, BodyFixture.Standing);
         BodySeat seat = new(Ahead(0), Vector3.Zero, TransientState.None, default, 0, Vector3.Zero);
-        Assert.Throws<ArgumentException>(() => f.Body.Probe(Ahead(bad)));
-        Assert.Throws<ArgumentException>(() => f.Body.Probe(seat, Ahead(bad)));
-        Assert.Throws<ArgumentException>(() => f.Body.Probe(seat with { Position = Ahead(bad) }, Ahead(0)));
-        Assert.Throws<ArgumentException>(() => f.Body.Probe(seat with { Velocity = new Vector3(bad) }, Ahead(0)));
+        Assert.Throws<ArgumentException>(() => f.Query.Sweep(f.Body, Ahead(bad)));
+        Assert.Throws<ArgumentException>(() => f.Query.Sweep(f.Body, seat, Ahead(bad)));
+        Assert.Throws<ArgumentException>(() => f.Query.Sweep(f.Body, seat with { Position = Ahead(bad) }, Ahead(0)));
+        Assert.Throws<ArgumentException>(() => f.Query.Sweep(f.Body, seat with { Velocity = new Vector3(bad) }, Ahead(0)));
     }
 
     private static BodyFixture Blocked()

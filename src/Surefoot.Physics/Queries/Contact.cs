@@ -1,0 +1,24 @@
+using System.Numerics;
+using Surefoot.Physics.Geometry;
+using Surefoot.Physics.Transitions;
+
+namespace Surefoot.Physics.Queries;
+
+/// <summary>The plane that a mover touches: what it stands on, or the slope that it slides down.</summary>
+/// <param name="Plane">The plane, its normal of unit length and in world axes; the constant, metres, is in the block frame of <paramref name="CellId"/>.</param>
+/// <param name="CellId">Cell whose block frame the plane is in.</param>
+/// <param name="IsWater">It is water, in which a mover stands lower than its plane.</param>
+public readonly record struct Contact(Plane Plane, uint CellId, bool IsWater = false)
+{
+    /// <summary>The plane can be walked on: it is at most 48.38° steep.</summary>
+    public bool IsWalkable => ObjectInfo.IsValidWalkable(Plane.Normal);
+
+    internal static Contact? Of(CollisionInfo met) =>
+        met.ContactPlaneValid ? new Contact(met.ContactPlane, met.ContactPlaneCellId, met.ContactPlaneIsWater) : null;
+
+    internal void ThrowIfBad(string name)
+    {
+        if (!RetailMath.IsFinite(Plane.Normal) || !float.IsFinite(Plane.D)) throw new ArgumentException("The contact plane is not finite.", name);
+        if (Math.Abs(RetailMath.LengthSquared(Plane.Normal) - 1.0) > 1e-3) throw new ArgumentException("The normal of the contact plane is not of unit length.", name);
+    }
+}
