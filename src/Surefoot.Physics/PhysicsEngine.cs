@@ -101,13 +101,15 @@ public sealed class PhysicsEngine : ILoadListener
         return body;
     }
 
-    /// <summary>Takes a body out of the world and forgets it.</summary>
+    /// <summary>Takes a body out of the world and forgets it. What it holds is let go and stays known, in no cell.</summary>
     public void RemoveBody(PhysicsBody body)
     {
         ArgumentNullException.ThrowIfNull(body);
         body.ExitWorld();
         body.LeaveWorld();
         bodies.Remove(body);
+        body.UnsetParent();
+        body.UnparentChildren();
         if (ReferenceEquals(Player, body)) Player = null;
     }
 
@@ -182,7 +184,7 @@ public sealed class PhysicsEngine : ILoadListener
     {
         statics.Remove(blockId);
         foreach (PhysicsBody body in bodies)
-            if (body.Cell is not null && CellIds.BlockOf(body.Position.CellId) == blockId) body.LeaveVisibility();
+            if (body.Cell is not null && body.Parent is null && CellIds.BlockOf(body.Position.CellId) == blockId) body.LeaveVisibility();
     }
 
     /// <summary>A hash of the state of every body and every animated static, equal wherever the same inputs were given.</summary>

@@ -10,6 +10,12 @@ namespace Surefoot.Physics.Assets;
 /// <param name="DefaultScale">Its scale in an object of scale 1, component by component.</param>
 public readonly record struct SetupPart(GfxObjAsset Mesh, Vector3 DefaultScale);
 
+/// <summary>A place on a setup where something is held.</summary>
+/// <param name="Number">1 right hand, 2 left hand, 3 shield, 4 belt, 5 quiver, 6 heraldry, 7 mouth, 8 left weapon, 9 left unarmed.</param>
+/// <param name="Part">Index of the part that holds it; one that there is not for the object itself.</param>
+/// <param name="Frame">Where what is held is, seen from that part, metres.</param>
+public readonly record struct HoldingLocation(uint Number, uint Part, Frame Frame);
+
 /// <summary>What movement needs of a setup: parts, spheres, cylinders, heights and steps, in metres at scale 1. Immutable and shared.</summary>
 /// <remarks>Retail: CSetup; specification 06.</remarks>
 public sealed class SetupAsset
@@ -17,6 +23,7 @@ public sealed class SetupAsset
     private readonly SetupPart[] parts = [];
     private readonly Sphere[] spheres = [];
     private readonly CylSphere[] cylinders = [];
+    private readonly HoldingLocation[] holdingLocations = [];
     private readonly Dictionary<uint, Frame[]> placements = [];
     private Frame[] defaultPlacement = [];
     private Frame[]? resting;
@@ -54,6 +61,13 @@ public sealed class SetupAsset
     {
         get => cylinders;
         init => cylinders = value.ToArray();
+    }
+
+    /// <summary>Where things are held.</summary>
+    public ReadOnlySpan<HoldingLocation> HoldingLocations
+    {
+        get => holdingLocations;
+        init => holdingLocations = value.ToArray();
     }
 
     /// <summary>Height.</summary>
@@ -105,6 +119,16 @@ public sealed class SetupAsset
     /// <summary>Is there a way of putting the object down with this number?</summary>
     public bool HasPlacement(uint placement) => placements.ContainsKey(placement);
 
+    /// <summary>The holding location with a number, the first of two.</summary>
+    /// <returns>False when there is none.</returns>
+    /// <remarks>Retail: CSetup::GetHoldingLocation @0x005213F0.</remarks>
+    public bool TryGetHoldingLocation(uint number, out HoldingLocation location)
+    {
+        int index = Array.FindIndex(holdingLocations, l => l.Number == number);
+        location = index < 0 ? default : holdingLocations[index];
+        return index >= 0;
+    }
+
     /// <summary>The setup that a mesh on its own stands for.</summary>
     /// <remarks>Retail: CSetup::makeSimpleSetup.</remarks>
     public static SetupAsset FromGfxObj(GfxObjAsset mesh)
@@ -138,6 +162,10 @@ public sealed class SetupAsset
             Parts = parts,
             Spheres = [.. record.Spheres.Select(s => check.Sphere(s, "a sphere"))],
             Cylinders = [.. record.CylSpheres.Select(c => check.Cylinder(c, "a cylinder"))],
+            HoldingLocations =
+            [
+                .. record.HoldingLocations.Select(l => new HoldingLocation(l.Location, l.Part, check.Frame(l.Frame, $"holding location {l.Location}"))),
+            ],
             Height = check.Finite(record.Height, "the height"),
             Radius = check.Finite(record.Radius, "the radius"),
             StepUpHeight = check.Finite(record.StepUpHeight, "the step-up height"),

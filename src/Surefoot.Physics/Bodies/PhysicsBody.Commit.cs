@@ -36,7 +36,7 @@ public sealed partial class PhysicsBody
             return;
         }
 
-        if (ReferenceEquals(path.CurrCell, Cell)) PositionField.CellId = path.CurrPos.CellId;
+        if (ReferenceEquals(path.CurrCell, Cell)) SetCellId(path.CurrPos.CellId);
         else ChangeCell(path.CurrCell);
         SetFrame(path.CurrPos.Frame);
 
@@ -77,6 +77,7 @@ public sealed partial class PhysicsBody
             ? new Frame(frame.Origin, default)
             : frame;
         UpdateParts();
+        UpdateHeld();
     }
 
     private static bool HasNaN(Vector3 v) => float.IsNaN(v.X) || float.IsNaN(v.Y) || float.IsNaN(v.Z);

@@ -44,11 +44,14 @@ public sealed partial class PhysicsBody
         Scale = tweens.Set(Scale, value, seconds, quantumTime ?? updateTime);
     }
 
-    /// <summary>The parts follow the animation, or lie as they were put down. Emitters of particles leave theirs alone, and only trees ask where they are.</summary>
+    /// <summary>Somebody asks where the parts are: a tree of theirs, or what they hold.</summary>
+    private bool KeepsParts => State.Has(PhysicsState.HasPhysicsBsp) || HeldCount > 0;
+
+    /// <summary>The parts follow the animation, or lie as they were put down. Emitters of particles leave theirs alone.</summary>
     /// <remarks>Retail: specification 02, 4.17, set_frame.</remarks>
     private void UpdateParts()
     {
-        if (Setup is null || !State.Has(PhysicsState.HasPhysicsBsp) || State.Has(PhysicsState.ParticleEmitter)) return;
+        if (Setup is null || !KeepsParts || State.Has(PhysicsState.ParticleEmitter)) return;
         ReadOnlySpan<Frame> pose = Movement is null ? [] : Movement.PartFrames;
         PlaceParts(pose.IsEmpty ? StillPose : pose, Scale);
     }

@@ -17,8 +17,8 @@ public sealed partial class PhysicsBody
         bool wasHidden = State.Has(PhysicsState.Hidden), isHidden = value.Has(PhysicsState.Hidden), hadTrees = State.Has(PhysicsState.HasPhysicsBsp);
         State = value;
         ListContradictions();
-        if (!value.Has(PhysicsState.HasPhysicsBsp)) ForgetParts();
-        else if (!hadTrees) UpdateParts();
+        if (!KeepsParts) ForgetParts();
+        else if (!hadTrees && value.Has(PhysicsState.HasPhysicsBsp)) UpdateParts();
         if (wasHidden != isHidden) SetHidden(isHidden);
     }
 
@@ -29,6 +29,7 @@ public sealed partial class PhysicsBody
         if (on)
         {
             State |= PhysicsState.Hidden;
+            DrawHeld(false);
             if (State.Has(PhysicsState.ReportCollisions))
             {
                 ReportCollisionEnd(updateTime, force: true);
@@ -40,6 +41,7 @@ public sealed partial class PhysicsBody
         else
         {
             State &= ~(PhysicsState.Hidden | PhysicsState.IgnoreCollisions);
+            DrawHeld(true);
             if (!State.Has(PhysicsState.ReportCollisions))
             {
                 State |= PhysicsState.ReportCollisions;

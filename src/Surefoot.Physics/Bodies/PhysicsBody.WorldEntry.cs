@@ -90,17 +90,37 @@ public sealed partial class PhysicsBody
         SetFrame(place.Frame);
     }
 
-    /// <summary>Goes into a cell; a body without parts is in none.</summary>
-    /// <remarks>Retail: CPhysicsObj::change_cell @0x00513390, enter_cell @0x00510ED0.</remarks>
+    /// <remarks>Retail: CPhysicsObj::change_cell @0x00513390.</remarks>
     private void ChangeCell(ObjCell cell)
     {
         LeaveCell();
+        EnterCell(cell);
+    }
+
+    /// <summary>Goes into a cell, with all that the body holds; one without parts is in none.</summary>
+    /// <remarks>Retail: CPhysicsObj::enter_cell @0x00510ED0.</remarks>
+    private void EnterCell(ObjCell cell)
+    {
         if (Setup is null) return;
+        for (int i = 0; i < HeldCount; i++) HeldBody(i).EnterCell(cell);
         Cell = cell;
         PositionField.CellId = cell.Id;
     }
 
-    private void LeaveCell() => Cell = null;
+    /// <summary>Leaves the cell with all that the body holds; its id stays.</summary>
+    private void LeaveCell()
+    {
+        if (Cell is null) return;
+        for (int i = 0; i < HeldCount; i++) HeldBody(i).LeaveCell();
+        Cell = null;
+    }
+
+    /// <summary>The id of the cell the body is in, for it and for what it holds itself.</summary>
+    private void SetCellId(uint id)
+    {
+        PositionField.CellId = id;
+        for (int i = 0; i < HeldCount; i++) HeldBody(i).PositionField.CellId = id;
+    }
 
     /// <remarks>Retail: CPhysicsObj::clear_transient_states @0x00511BF0.</remarks>
     private void ClearTransientStates()

@@ -230,6 +230,7 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody, IHookTarget
         seat.ThrowIfBad(nameof(seat));
         SeatAt(seat.Position, engine.Cells.GetVisible(seat.Position.CellId));
         UpdateParts();
+        UpdateHeld();
         velocity = seat.Velocity;
         Transient = (Transient & TransientState.Active) | (seat.Transient & ~TransientState.Active);
         contactPlane = seat.ContactPlane;

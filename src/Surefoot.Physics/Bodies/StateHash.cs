@@ -67,5 +67,10 @@ public sealed partial class PhysicsBody
         hash.Add(SlidingNormal);
         hash.Add(updateTime);
         Steering?.AddTo(ref hash);
+        for (int i = 0; i < HeldCount; i++)
+        {
+            hash.Add(Held[i].Object.Id);
+            hash.Add(Held[i].Location);
+        }
     }
 }

@@ -19,7 +19,13 @@ public sealed partial class PhysicsWorld
     {
         ArgumentNullException.ThrowIfNull(item);
         ArgumentNullException.ThrowIfNull(cells);
-        item.ClearShadows();
+        ClearShadows(item);
+        AddShadows(item, cells);
+    }
+
+    /// <summary>What an object holds is listed where the object is, whatever it reaches itself.</summary>
+    private void AddShadows(WorldObject item, CellArray cells)
+    {
         item.ReserveShadows(item is StaticObject ? Math.Max(cells.Count, 1) : Math.Max(cells.Count, UsualShadows));
         if ((item.State & PhysicsState.ParticleEmitter) != 0)
         {
@@ -33,6 +39,13 @@ public sealed partial class PhysicsWorld
         if (item is StaticObject) return;
         if (item.IsCompletelyVisible) waiting.Remove(item);
         else waiting.Add(item);
+        for (int i = 0; i < item.HeldCount; i++) AddShadows(item.HeldAt(i), cells);
+    }
+
+    private static void ClearShadows(WorldObject item)
+    {
+        item.ClearShadows();
+        for (int i = 0; i < item.HeldCount; i++) ClearShadows(item.HeldAt(i));
     }
 
     /// <inheritdoc/>
@@ -41,6 +54,7 @@ public sealed partial class PhysicsWorld
         ArgumentNullException.ThrowIfNull(item);
         item.ClearShadows();
         waiting.Remove(item);
+        for (int i = 0; i < item.HeldCount; i++) RemoveShadows(item.HeldAt(i));
     }
 
     /// <inheritdoc/>
