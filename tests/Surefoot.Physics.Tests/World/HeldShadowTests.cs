@@ -14,8 +14,12 @@ public sealed class HeldShadowTests(FirstWorld files) : IClassFixture<FirstWorld
 
     private static readonly SetupAsset Shape = new()
     {
-        Id = 0x02FF0001, Spheres = [new Sphere(new Vector3(0, 0, 0.5f), 0.5f)], Height = 1, Radius = 0.5f,
-        StepUpHeight = 0.6f, StepDownHeight = 0.6f,
+        Id = 0x02FF0001,
+        Spheres = [new Sphere(new Vector3(0, 0, 0.5f), 0.5f)],
+        Height = 1,
+        Radius = 0.5f,
+        StepUpHeight = 0.6f,
+        StepDownHeight = 0.6f,
         HoldingLocations = [new HoldingLocation(1, uint.MaxValue, new Frame(new Vector3(0, 2, 0), Quaternion.Identity))],
     };
 
