@@ -192,6 +192,7 @@ public sealed class WorkbenchServer : IAsyncDisposable
             z = place.Position.Z,
             yaw = place.Yaw,
             hint = place.Hint,
+            lookFrom = place.LookFrom,
         }),
     };
 

@@ -287,6 +287,8 @@ public sealed class BrowserTests(Browser browser)
         Tab two = await browser.OpenAsync();
         uint id = (uint)await two.Number("window.surefoot.player");
         await one.Until($"window.surefoot.others.some(other => other.player === {id} && other.position !== null)", "the first tab draws the second's player");
+        JsonElement here = await one.Read("window.surefoot.drawn"), there = await two.Read("window.surefoot.drawn");
+        Assert.InRange(Flat(here, there), 0.96, 2.5);
         await two.DisposeAsync();
         await one.Until("window.surefoot.others.length === 0", "the closed tab's player is gone");
         await Eventually.Holds(() => browser.Server.Counters.Players == 1, "the server has one player");

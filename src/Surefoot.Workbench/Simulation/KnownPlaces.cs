@@ -7,11 +7,14 @@ namespace Surefoot.Workbench.Simulation;
 /// <summary>The places that are offered when nobody names others.</summary>
 internal static class KnownPlaces
 {
+    // Seventy degrees.
+    private const float Aside = 1.22f;
+
     /// <summary>The demo world's own.</summary>
     public static IReadOnlyList<WorkbenchPlace> Demo() =>
     [
         .. DemoPlaces.All.Select(place => new WorkbenchPlace(
-            place.Title, place.CellId, place.Origin, -place.Heading * MathF.PI / 180f, place.WhatToTry)),
+            place.Title, place.CellId, place.Origin, -place.Heading * MathF.PI / 180f, place.WhatToTry, LookFrom(place))),
     ];
 
     /// <summary>Towns of the retail world, on whatever ground the files have there.</summary>
@@ -36,6 +39,15 @@ internal static class KnownPlaces
         uint record = dats.IdsOf(DatRecordType.LandBlock).FirstOrDefault(loads);
         if (record == 0) throw new DatFolderException(dats.Folder, $"'{dats.Folder}' has no landblock to stand on");
         return Town("Somewhere", (record & 0xFFFF0000) | 0x25, 108, 108);
+    }
+
+    /// <summary>Slopes are looked at from the right, where their rise is seen in profile.</summary>
+    private static float LookFrom(NamedPlace place)
+    {
+        bool isSlope = place.Name.StartsWith("slope-", StringComparison.Ordinal) || place.Name.StartsWith("wedge-", StringComparison.Ordinal);
+        // The wall is on the right there.
+        if (place.Name == "wall-and-slope") return -Aside;
+        return isSlope || place.Name is "foot-of-the-mountain" or "cliff-foot" ? Aside : 0;
     }
 
     private static WorkbenchPlace Town(string name, uint cellId, float x, float y) => new(name, cellId, new Vector3(x, y, float.NaN), 0);

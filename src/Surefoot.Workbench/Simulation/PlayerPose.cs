@@ -32,6 +32,9 @@ internal enum PoseFlags : ushort
 
     /// <summary>The cell is not loaded.</summary>
     Nowhere = 32,
+
+    /// <summary>The cell is a room from which the land is not seen.</summary>
+    Enclosed = 64,
 }
 
 /// <summary>A player as the last physics step left it.</summary>

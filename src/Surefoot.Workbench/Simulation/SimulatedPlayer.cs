@@ -166,6 +166,7 @@ internal sealed class SimulatedPlayer(LoopbackServer server, Func<uint, (TouchKi
         if (Player.Controller.IsChargingJump) flags |= PoseFlags.Charging;
         if (motions.StandingLongJump) flags |= PoseFlags.StandingLongJump;
         if (!body.HasCell) flags |= PoseFlags.Nowhere;
+        if (World.IsEnclosed(body.Position.CellId)) flags |= PoseFlags.Enclosed;
         InterpretedMotionState state = motions.Interpreted;
         Position position = body.Position;
         double time = body.IsActive ? body.SimulatedTime : now;

@@ -42,7 +42,7 @@ export function play(): void {
     go: (destination) => {
       if ("spot" in destination) return requests.placeAt(destination.spot);
       requests.goto(destination.place);
-      hud.showHint(destination.place);
+      expect(destination.place);
     },
     use: () => requests.use(),
   });
@@ -51,7 +51,7 @@ export function play(): void {
     toggles: (wanted) => {
       for (const [name, on] of Object.entries(wanted)) hud.toggles.set(name as Toggle, on);
     },
-    place: (index) => hud.showHint(index),
+    place: expect,
     ignored: (parts) => hud.notice.show(`Ignored in the link: ${parts.join("; ")}.`),
   });
   const address = new Address(() => {
@@ -82,6 +82,13 @@ export function play(): void {
   void listing.then((places) => hud.listPlaces(places));
   connection.open();
   requestAnimationFrame(draw);
+
+  /** The player will come to a named place. */
+  function expect(index: number): void {
+    const place = hud.goTo.listed[index];
+    world.expect(place?.lookFrom ?? 0);
+    if (place?.hint) hud.toasts.show(place.hint, "hint");
+  }
 
   function receive(frame: ServerFrame): void {
     session.receive(frame, performance.now() / 1000);

@@ -78,12 +78,6 @@ export class Hud {
     this.goTo.offer(places);
   }
 
-  /** What there is to try at a named place. */
-  showHint(place: number): void {
-    const hint = this.goTo.listed[place]?.hint;
-    if (hint) this.toasts.show(hint, "hint");
-  }
-
   showCharge(charging: boolean, charge: number): void {
     if (this.bar.classList.toggle("charging", charging)) this.bar.removeAttribute("aria-hidden");
     else this.bar.setAttribute("aria-hidden", "true");

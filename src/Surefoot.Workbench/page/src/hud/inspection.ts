@@ -100,6 +100,11 @@ export class Inspection {
     return this.world.terrain.uniforms.time.value;
   }
 
+  /** 1 where no land is seen and a lantern lights the way, 0 outdoors. */
+  get dark(): number {
+    return this.world.stage.darkness;
+  }
+
   get fps(): number {
     return 1 / this.world.stage.frameTime;
   }
@@ -139,6 +144,15 @@ export class Inspection {
   /** Pixels, of a small picture of the view, in which the player is seen; with the cutaway, or as it would be without. */
   seen(cut: boolean): number {
     return this.session.pose ? this.world.pixelsOfPlayer(this.session.pose, cut) : 0;
+  }
+
+  /** The view as a small picture: red, green and blue of each pixel, 0 to 255, row by row from the top. */
+  picture(width: number, height: number): [number, number, number][][] {
+    const pixels = this.world.stage.picture(width, height);
+    const at = (x: number, y: number): number => 4 * ((height - 1 - y) * width + x);
+    const row = (y: number): [number, number, number][] =>
+      Array.from({ length: width }, (_, x) => [pixels[at(x, y)], pixels[at(x, y) + 1], pixels[at(x, y) + 2]]);
+    return Array.from({ length: height }, (_, y) => row(y));
   }
 
   get plainShapes(): boolean {

@@ -11,6 +11,8 @@ export interface Place {
   z: number;
   yaw: number;
   hint: string | null;
+  /** Where to look from at first: radians around the player, counter-clockwise from behind. */
+  lookFrom: number;
 }
 
 export interface Listing {

@@ -23,6 +23,7 @@ export const PoseFlag = {
   StandingLongJump: 8,
   InWater: 16,
   Nowhere: 32,
+  Enclosed: 64,
 } as const;
 
 export const EventKind = { Jumped: 1, Landed: 2, JumpRefused: 3, RunRateChanged: 4, PlaceRefused: 5 } as const;

@@ -9,6 +9,8 @@ const eyeHeight = 1.45;
 const clearance = 0.45;
 const indoorDistance = 3.6;
 const restPitch = 0.2;
+const sidePitch = 0.16;
+const sideDistance = 15;
 const closest = 1.6;
 const farthest = 90;
 
@@ -22,6 +24,8 @@ export class FollowCamera {
   private pitch = restPitch;
   private yaw = Number.NaN;
   private recentering = false;
+  /** The zoom to go back to after a look from the side. */
+  private distanceBefore: number | null = null;
   private readonly fingers = new Map<number, { x: number; y: number }>();
   private readonly target = new THREE.Vector3();
   private height = Number.NaN;
@@ -74,6 +78,25 @@ export class FollowCamera {
   /** Swings back behind the player. */
   recenter(): void {
     this.recentering = true;
+  }
+
+  /**
+   * Begins a look at a place.
+   * @param from radians around the player, counter-clockwise from behind; the side is looked at from farther away
+   */
+  begin(from: number): void {
+    const aside = from !== 0;
+    if (!aside && this.distanceBefore === null) return;
+    this.recentering = false;
+    this.orbit = from;
+    this.pitch = aside ? sidePitch : restPitch;
+    if (aside) {
+      this.distanceBefore ??= this.wantedDistance;
+      this.distance = this.wantedDistance = Math.max(this.distanceBefore, sideDistance);
+    } else {
+      this.distance = this.wantedDistance = this.distanceBefore ?? this.wantedDistance;
+      this.distanceBefore = null;
+    }
   }
 
   /** Jumps instead of following, after the player was placed elsewhere. */
@@ -134,6 +157,7 @@ export class FollowCamera {
 
   private zoomBy(factor: number): void {
     this.wantedDistance = THREE.MathUtils.clamp(this.wantedDistance * factor, closest, farthest);
+    this.distanceBefore = null;
   }
 
   private drag(dx: number, dy: number): void {

@@ -12,6 +12,10 @@ const rim = 1.3;
 /** From this distance on the cut keeps its size on screen, metres. */
 const growsFrom = 8;
 
+/** Cellars that are open at a time, and how far from their walls, metres. */
+const mostCellars = 4;
+const wall = 0.2;
+
 /** An upright box, relative to the drawing's origin. */
 export interface Box {
   min: THREE.Vector3;
@@ -51,7 +55,7 @@ const fragmentHead = /* glsl */ `
   uniform vec3 uCutMin;
   uniform vec3 uCutMax;
   uniform float uCutOpens;
-  uniform bool uCutGround;
+  uniform vec4 uCutCellars[${mostCellars}];
 
   bool isInCutBox() {
     return all(greaterThan(vCutPlace, uCutMin)) && all(lessThan(vCutPlace, uCutMax));
@@ -83,7 +87,10 @@ const fragmentBody: Record<CutKind, string> = {
   shell: /* glsl */ `if ((uCutOpens > 0.5 && isInCutBox()) || isBetween()) discard;`,
   room: /* glsl */ `if (vRoomFloor > uCutCeiling || (uCutOpens > 1.5 && isInCutBox()) || isBetween()) discard;`,
   thing: /* glsl */ `if (isBetween()) discard;`,
-  ground: /* glsl */ `if (uCutGround && uCutOpens > 0.5 && isInCutBox()) discard;`,
+  ground: /* glsl */ `
+    for (int i = 0; i < ${mostCellars}; i++)
+      if (all(greaterThan(vCutPlace.xy, uCutCellars[i].xy)) && all(lessThan(vCutPlace.xy, uCutCellars[i].zw))) discard;
+  `,
 };
 
 /** Where the camera is: 0 the player is outdoors, 1 the player is inside, 2 only the camera is inside. */
@@ -97,7 +104,7 @@ export class Cutaway {
     uCutMin: { value: new THREE.Vector3() },
     uCutMax: { value: new THREE.Vector3() },
     uCutOpens: { value: 0 as Opens },
-    uCutGround: { value: false },
+    uCutCellars: { value: Array.from({ length: mostCellars }, () => new THREE.Vector4()) },
   };
 
   /** Off, nothing is cut away. */
@@ -132,20 +139,28 @@ export class Cutaway {
     return material;
   }
 
+  /** Opens the ground over cellars: the floors above them have holes. */
+  openCellars(cellars: Iterable<Box>): void {
+    const all = [...cellars];
+    for (const [i, open] of this.uniforms.uCutCellars.value.entries()) {
+      const cellar = all[i];
+      if (cellar) open.set(cellar.min.x + wall, cellar.min.y + wall, cellar.max.x - wall, cellar.max.y - wall);
+      else open.set(0, 0, 0, 0);
+    }
+  }
+
   /**
    * @param eye the camera
    * @param feet the player's feet
    * @param indoors the player is in a room
    * @param ceiling the top of that room, metres; null when it is not known
-   * @param below the player is under the ground
    * @param shells boxes around the buildings near by
    */
-  update(eye: THREE.Vector3, feet: THREE.Vector3, indoors: boolean, ceiling: number | null, below: boolean, shells: Iterable<Box>): void {
+  update(eye: THREE.Vector3, feet: THREE.Vector3, indoors: boolean, ceiling: number | null, shells: Iterable<Box>): void {
     const u = this.uniforms;
     u.uCutEye.value.copy(eye);
     u.uCutTarget.value.set(feet.x, feet.y, feet.z + targetHeight);
     u.uCutCeiling.value = indoors && ceiling !== null ? ceiling - 0.3 : 1e9;
-    u.uCutGround.value = below;
     u.uCutOpens.value = 0;
     if (!this.enabled) {
       u.uCutTarget.value.copy(eye);

@@ -2,6 +2,12 @@
 
 import * as THREE from "three";
 
+/** What lies beyond the lantern's light. */
+const darkness = new THREE.Color(0x0a0b0d);
+
+/** Metres over the feet. */
+const lanternHeight = 1.9;
+
 export const horizonColor = new THREE.Color(0xc9dcea);
 export const zenithColor = new THREE.Color(0x3f7fc4);
 export const sunDirection = new THREE.Vector3(-0.55, -0.42, 0.62).normalize();
@@ -41,9 +47,12 @@ const fragment = /* glsl */ `
   }
 `;
 
+const haze = 0.00195;
+const gloom = 0.028;
+
 export class Sky {
   readonly mesh: THREE.Mesh;
-  readonly fog = new THREE.FogExp2(horizonColor, 0.00195);
+  readonly fog = new THREE.FogExp2(horizonColor, haze);
   private readonly time = { value: 0 };
 
   constructor(noise: THREE.Texture) {
@@ -66,20 +75,35 @@ export class Sky {
     this.mesh.renderOrder = 1;
   }
 
+  /**
+   * Under the ground there is darkness instead.
+   * @param dark 0 outdoors, 1 in the depth
+   * @param seen there is a sky to be seen
+   */
+  darken(dark: number, seen: boolean): void {
+    this.mesh.visible = seen;
+    this.fog.color.lerpColors(horizonColor, darkness, dark);
+    this.fog.density = haze + (gloom - haze) * dark;
+  }
+
   update(camera: THREE.Vector3, seconds: number): void {
     this.mesh.position.copy(camera);
     this.time.value = seconds;
   }
 }
 
-/** Sun and sky light; the sun's shadow follows a point. */
+const day = { sky: new THREE.Color(0xbdd8f2), ground: new THREE.Color(0x6d6a4c), strength: 1.25, sun: 2.6, lantern: 0 };
+const cave = { sky: new THREE.Color(0x8a93a6), ground: new THREE.Color(0x6b5f4f), strength: 0.5, sun: 0, lantern: 9 };
+
+/** Sun and sky light; the sun's shadow follows a point. Where neither reaches, a lantern does. */
 export class Lights {
   readonly group = new THREE.Group();
-  readonly sun = new THREE.DirectionalLight(0xfff0d6, 2.6);
+  readonly sun = new THREE.DirectionalLight(0xfff0d6, day.sun);
+  private readonly sky = new THREE.HemisphereLight(day.sky, day.ground, day.strength);
+  private readonly lantern = new THREE.PointLight(0xffd9a8, 0, 40, 1);
 
   constructor() {
-    const sky = new THREE.HemisphereLight(0xbdd8f2, 0x6d6a4c, 1.25);
-    sky.position.set(0, 0, 1);
+    this.sky.position.set(0, 0, 1);
     this.sun.castShadow = true;
     this.sun.shadow.mapSize.set(1024, 1024);
     this.sun.shadow.bias = -0.0008;
@@ -89,11 +113,29 @@ export class Lights {
     view.right = view.top = 14;
     view.near = 1;
     view.far = 160;
-    this.group.add(sky, this.sun, this.sun.target);
+    this.group.add(this.sky, this.sun, this.sun.target, this.lantern);
   }
 
   follow(point: THREE.Vector3): void {
     this.sun.target.position.copy(point);
     this.sun.position.copy(point).addScaledVector(sunDirection, 80);
+  }
+
+  /** The lantern hangs over the way from the eye to the player. */
+  hang(eye: THREE.Vector3): void {
+    this.lantern.position.lerpVectors(eye, this.sun.target.position, 0.35);
+    this.lantern.position.z = Math.max(this.lantern.position.z, this.sun.target.position.z + lanternHeight);
+  }
+
+  /**
+   * Under the ground neither sun nor sky shine. The lights stay in the scene: their number is part of every shader.
+   * @param dark 0 outdoors, 1 in the depth
+   */
+  darken(dark: number): void {
+    this.sky.color.lerpColors(day.sky, cave.sky, dark);
+    this.sky.groundColor.lerpColors(day.ground, cave.ground, dark);
+    this.sky.intensity = day.strength + (cave.strength - day.strength) * dark;
+    this.sun.intensity = day.sun + (cave.sun - day.sun) * dark;
+    this.lantern.intensity = day.lantern + (cave.lantern - day.lantern) * dark;
   }
 }

@@ -1,6 +1,7 @@
 // The renderer, and how much it may ask of the machine.
 
 import * as THREE from "three";
+import { isCalm } from "./calm";
 import { FollowCamera } from "./camera";
 import { Grass } from "./grass";
 import { makeNoiseTexture } from "./noise";
@@ -20,6 +21,7 @@ export class Stage {
   private average = 1 / 60;
   private settled = 0;
   private grassAffordable = true;
+  private dark = 0;
 
   constructor(canvas: HTMLCanvasElement) {
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: devicePixelRatio < 2, powerPreference: "high-performance" });
@@ -43,6 +45,26 @@ export class Stage {
     return this.renderer.getContext().isContextLost();
   }
 
+  /**
+   * No land and no sky are seen from here; it gets dark at once, but not from one frame to the next.
+   * @param dt seconds since the last frame
+   */
+  enclose(enclosed: boolean, dt: number): void {
+    const wanted = enclosed ? 1 : 0;
+    if (this.dark === wanted) return;
+    this.dark += (wanted - this.dark) * (isCalm() ? 1 : 1 - Math.exp(-9 * dt));
+    if (Math.abs(this.dark - wanted) < 0.005) this.dark = wanted;
+    this.sky.darken(this.dark, !enclosed);
+    this.lights.darken(this.dark);
+    this.renderer.setClearColor(this.sky.fog.color);
+    this.renderer.shadowMap.autoUpdate = this.dark < 1;
+  }
+
+  /** 1 in the depth, 0 outdoors. */
+  get darkness(): number {
+    return this.dark;
+  }
+
   /** Grass where one is outdoors and the machine is quick enough. */
   showGrass(outdoors: boolean): void {
     this.grass.mesh.visible = outdoors && this.grassAffordable;
@@ -55,31 +77,30 @@ export class Stage {
 
   /** In how many pixels of a small picture of the view an object is seen. */
   pixelsOf(object: THREE.Object3D): number {
-    const width = 480;
-    const height = 270;
-    const target = new THREE.WebGLRenderTarget(width, height);
-    const shadows = this.renderer.shadowMap.autoUpdate;
-    // The object's shadow stays: it is not the object.
-    this.renderer.shadowMap.autoUpdate = false;
-    const picture = (): Uint8Array => {
-      const pixels = new Uint8Array(width * height * 4);
-      this.renderer.setRenderTarget(target);
-      this.renderer.render(this.scene, this.view.camera);
-      this.renderer.readRenderTargetPixels(target, 0, 0, width, height, pixels);
-      return pixels;
-    };
-    const present = picture();
+    const present = this.picture(480, 270);
     const { visible } = object;
     object.visible = false;
-    const without = picture();
+    const without = this.picture(480, 270);
     object.visible = visible;
-    this.renderer.setRenderTarget(null);
-    this.renderer.shadowMap.autoUpdate = shadows;
-    target.dispose();
     let seen = 0;
     for (let i = 0; i < present.length; i += 4)
       if (present[i] !== without[i] || present[i + 1] !== without[i + 1] || present[i + 2] !== without[i + 2]) seen++;
     return seen;
+  }
+
+  /** The view in a small picture: red, green, blue and alpha of each pixel, 0 to 255, row by row from the bottom. Shadows are those of the last frame. */
+  picture(width: number, height: number): Uint8Array {
+    const target = new THREE.WebGLRenderTarget(width, height, { colorSpace: THREE.SRGBColorSpace });
+    const shadows = this.renderer.shadowMap.autoUpdate;
+    this.renderer.shadowMap.autoUpdate = false;
+    const pixels = new Uint8Array(width * height * 4);
+    this.renderer.setRenderTarget(target);
+    this.renderer.render(this.scene, this.view.camera);
+    this.renderer.readRenderTargetPixels(target, 0, 0, width, height, pixels);
+    this.renderer.setRenderTarget(null);
+    this.renderer.shadowMap.autoUpdate = shadows;
+    target.dispose();
+    return pixels;
   }
 
   /** A machine that cannot draw 40 frames a second gives up frosted glass, then grass, sharpness and shadows: motion comes first. */

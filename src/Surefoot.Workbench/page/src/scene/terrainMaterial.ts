@@ -172,7 +172,8 @@ const fragmentFog = /* glsl */ `
 `;
 
 export function makeTerrainMaterial(uniforms: TerrainUniforms): THREE.MeshLambertMaterial {
-  const material = new THREE.MeshLambertMaterial();
+  // Floors of rooms lie in the ground's own plane, and are the ones to be seen.
+  const material = new THREE.MeshLambertMaterial({ polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 2 });
   material.onBeforeCompile = (shader) => {
     shader.uniforms.uTime = uniforms.time;
     shader.uniforms.uTriangles = uniforms.triangles;

@@ -3,7 +3,7 @@
 import * as THREE from "three";
 import { type Drawn, PoseTimeline } from "../net/timeline";
 import { type Bodies as BodiesFrame, BodyFlag, type BodyPose, BodyType, PoseFlag, type Vec3 } from "../net/wire";
-import { toGlobal } from "../net/world";
+import { isIndoors, toGlobal } from "../net/world";
 import { Beast } from "./beast";
 import { Crowd } from "./crowd";
 import { Door } from "./door";
@@ -87,11 +87,13 @@ export class Bodies {
     this.crowdChanged = true;
   }
 
-  update(time: number, origin: THREE.Vector3, seconds: number, dt: number): void {
+  /** @param outdoors those outdoors are drawn, too */
+  update(time: number, origin: THREE.Vector3, seconds: number, dt: number, outdoors: boolean): void {
+    this.crowd.group.visible = outdoors;
     for (const body of this.all.values()) {
       if (!body.look) continue;
       body.drawn = body.timeline.at(time);
-      body.look.group.visible = body.drawn !== null;
+      body.look.group.visible = body.drawn !== null && (outdoors || isIndoors(body.pose.cell));
       if (!body.drawn) continue;
       if (body.look instanceof Door) body.look.update(body.drawn, origin, (body.pose.flags & BodyFlag.Open) !== 0, dt);
       else body.look.update(body.drawn, origin, seconds, dt);

@@ -6,11 +6,15 @@ import { blockSide } from "../net/world";
 import type { Box, Cutaway } from "../scene/cutaway";
 import { MovingParts } from "./moving";
 import { type PlantGroups, Plants } from "./plants";
+import { Solids } from "./solids";
 
 const drawRadius = 3;
 const keepRadius = 5;
 const fetchesAtOnce = 3;
-const sharpEdge = 20;
+
+/** How light rooms are: to eyes that are used to their dusk, and from outdoors, where doorways are dark and are seen to be open. */
+const roomFromInside = 1.8;
+const roomFromOutside = 0.3;
 
 /** Landblocks farther than this have plants of a few triangles. */
 const leafyRadius = 1;
@@ -20,10 +24,16 @@ interface Block {
   /** Rocks as rocks. */
   rocks: THREE.Group;
   plants: PlantGroups;
-  shells: { low: THREE.Box3; world: Box }[];
+  shells: Bounds[];
   moving: { shape: MovingShape; drawn: THREE.Group }[];
-  /** Highest z of each room, by cell. */
-  roomTops: Map<number, number>;
+  /** By cell. */
+  rooms: Map<number, Bounds>;
+}
+
+/** A box in the landblock, and relative to the drawing's origin. */
+interface Bounds {
+  low: THREE.Box3;
+  world: Box;
 }
 
 /** A part that an animation moves, as drawn: in metres of its landblock, turned by a quaternion (x, y, z, w). */
@@ -39,8 +49,7 @@ export class Objects {
   readonly group = new THREE.Group();
   /** Where the parts are that animations move. */
   readonly moving = new MovingParts();
-  private readonly materials;
-  private readonly edges;
+  private readonly solids: Solids;
   private readonly plants: Plants;
   private readonly blocks = new Map<number, Block | "none" | "asked">();
   private asked = 0;
@@ -51,27 +60,8 @@ export class Objects {
   private plain = false;
 
   constructor(cutaway: Cutaway) {
-    this.materials = {
-      objects: cutaway.cut(new THREE.MeshLambertMaterial({ color: 0x9c8460, flatShading: true }), "thing"),
-      rocks: cutaway.cut(new THREE.MeshLambertMaterial({ vertexColors: true, flatShading: true }), "thing"),
-      // The outer faces cast the shadow: the inner ones lie on the walls of the rooms, where light would leak in.
-      shells: cutaway.cut(new THREE.MeshLambertMaterial({ color: 0xcdb58e, flatShading: true, shadowSide: THREE.FrontSide }), "shell"),
-      // Floors lie in the ground's own plane.
-      rooms: cutaway.cut(
-        new THREE.MeshLambertMaterial({
-          vertexColors: true,
-          emissive: 0x2e2a22,
-          flatShading: true,
-          polygonOffset: true,
-          polygonOffsetFactor: -1,
-          polygonOffsetUnits: -2,
-        }),
-        "room",
-      ),
-    };
-    const line = (): THREE.LineBasicMaterial => new THREE.LineBasicMaterial({ color: 0x2a2018, transparent: true, opacity: 0.45 });
-    this.edges = { thing: cutaway.cut(line(), "thing"), shell: cutaway.cut(line(), "shell"), room: cutaway.cut(line(), "room") };
-    this.plants = new Plants(cutaway, this.materials.objects);
+    this.solids = new Solids(cutaway);
+    this.plants = new Plants(cutaway, this.solids.plain);
   }
 
   /** Triangles drawn. */
@@ -102,6 +92,20 @@ export class Objects {
   set showsPlain(shown: boolean) {
     this.plain = shown;
     this.chooseAll();
+  }
+
+  /**
+   * What of the world one sees from where one is.
+   * @param feet the player's feet, relative to the drawing's origin
+   * @param indoors the player is in a room
+   * @param enclosed no land is seen from there: nothing but that room's landblock is drawn
+   */
+  seeFrom(feet: THREE.Vector3, indoors: boolean, enclosed: boolean, dt: number): void {
+    const wanted = indoors ? roomFromInside : roomFromOutside;
+    const { look } = this.solids;
+    look.light.value += (wanted - look.light.value) * (1 - Math.exp(-7 * dt));
+    look.from.value.copy(feet);
+    for (const [id, block] of this.blocks) if (typeof block === "object") block.group.visible = !enclosed || id === this.center;
   }
 
   setOrigin(blockX: number, blockY: number): void {
@@ -156,7 +160,13 @@ export class Objects {
   /** The top of a room, metres; null when the room has not come. */
   topOf(cell: number): number | null {
     const block = this.blocks.get(cell >>> 16);
-    return typeof block === "object" ? (block.roomTops.get(cell) ?? null) : null;
+    return typeof block === "object" ? (block.rooms.get(cell)?.low.max.z ?? null) : null;
+  }
+
+  /** Boxes around the rooms of a landblock, relative to the origin. */
+  *roomsOf(block: number): Iterable<Box> {
+    const here = this.blocks.get(block);
+    if (typeof here === "object") for (const { world } of here.rooms.values()) yield world;
   }
 
   private *loaded(): Iterable<Block> {
@@ -205,25 +215,30 @@ export class Objects {
 
   private add(id: number, shapes: Shapes): void {
     const plants = { near: new THREE.Group(), far: new THREE.Group(), plain: new THREE.Group() };
-    const block: Block = { group: new THREE.Group(), rocks: new THREE.Group(), plants, shells: [], moving: [], roomTops: new Map() };
+    const block: Block = { group: new THREE.Group(), rocks: new THREE.Group(), plants, shells: [], moving: [], rooms: new Map() };
     const solid = (numbers: Float32Array, to: THREE.Group): void => {
-      if (numbers.length > 0) to.add(...this.mesh(numbers, this.materials.objects, this.edges.thing));
+      if (numbers.length > 0) to.add(...this.solids.things(numbers));
     };
     solid(shapes.objects, block.group);
     solid(shapes.rocks, plants.plain);
     this.plants.addTo(plants, shapes.plants);
-    if (shapes.rocks.length > 0) block.rocks.add(this.rocks(shapes.rocks));
+    if (shapes.rocks.length > 0) block.rocks.add(this.solids.rocks(shapes.rocks));
     for (const shell of shapes.shells) {
       if (shell.triangles.length === 0) continue;
-      block.shells.push({ low: boxOf(shell), world: { min: new THREE.Vector3(), max: new THREE.Vector3() } });
-      block.group.add(...this.mesh(shell.triangles, this.materials.shells, this.edges.shell));
+      block.shells.push({ low: boxOf(shell), world: emptyBox() });
+      block.group.add(...this.solids.shell(shell.triangles));
     }
-    if (shapes.rooms.length > 0) block.group.add(...this.rooms(shapes.rooms, block));
+    const rooms = shapes.rooms.filter(({ triangles }) => triangles.length > 0).map((shape) => ({ shape, low: boxOf(shape) }));
+    for (const { shape, low } of rooms) block.rooms.set(shape.id, { low, world: emptyBox() });
+    if (rooms.length > 0) {
+      const floors = rooms.map(({ shape, low }) => ({ shape, floor: low.min.z }));
+      block.group.add(...this.solids.rooms(floors, shapes.shells.length === 0));
+    }
     for (const shape of shapes.moving) {
       const drawn = new THREE.Group();
       // Until it is known where it is.
       drawn.visible = false;
-      drawn.add(...this.mesh(shape.triangles, this.materials.objects, this.edges.thing));
+      drawn.add(...this.solids.things(shape.triangles));
       block.moving.push({ shape, drawn });
       block.group.add(drawn);
     }
@@ -234,73 +249,9 @@ export class Objects {
     this.group.add(block.group);
   }
 
-  private mesh(positions: Float32Array, material: THREE.Material, edges: THREE.Material): [THREE.Mesh, THREE.LineSegments] {
-    const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
-    geometry.computeVertexNormals();
-    const mesh = new THREE.Mesh(geometry, material);
-    // A room's ceiling would put all of it in the shade.
-    mesh.castShadow = material !== this.materials.rooms;
-    mesh.receiveShadow = true;
-    return [mesh, new THREE.LineSegments(new THREE.EdgesGeometry(geometry, sharpEdge), edges)];
-  }
-
-  /** All rooms of a block in one mesh; each corner knows its room's floor, so that rooms above the player's can be left out. */
-  private rooms(rooms: NamedShape[], block: Block): [THREE.Mesh, THREE.LineSegments] {
-    const corners: number[] = [];
-    const floors: number[] = [];
-    const lines: number[] = [];
-    const lineFloors: number[] = [];
-    for (const room of rooms) {
-      if (room.triangles.length === 0) continue;
-      const box = boxOf(room);
-      block.roomTops.set(room.id, box.max.z);
-      const part = new THREE.BufferGeometry();
-      part.setAttribute("position", new THREE.BufferAttribute(room.triangles, 3));
-      const edges = new THREE.EdgesGeometry(part, sharpEdge).getAttribute("position").array;
-      for (const number of room.triangles) corners.push(number);
-      for (const number of edges) lines.push(number);
-      for (let i = 0; i < room.triangles.length / 3; i++) floors.push(box.min.z);
-      for (let i = 0; i < edges.length / 3; i++) lineFloors.push(box.min.z);
-    }
-    const [mesh] = this.mesh(new Float32Array(corners), this.materials.rooms, this.edges.room);
-    mesh.geometry.setAttribute("color", new THREE.BufferAttribute(roomColors(mesh.geometry.getAttribute("normal")), 3));
-    mesh.geometry.setAttribute("roomFloor", new THREE.BufferAttribute(new Float32Array(floors), 1));
-    const outline = new THREE.BufferGeometry();
-    outline.setAttribute("position", new THREE.BufferAttribute(new Float32Array(lines), 3));
-    outline.setAttribute("roomFloor", new THREE.BufferAttribute(new Float32Array(lineFloors), 1));
-    return [mesh, new THREE.LineSegments(outline, this.edges.room)];
-  }
-
-  /** Grey stone, a little different from face to face, mossy where it looks up. */
-  private rocks(positions: Float32Array): THREE.Mesh {
-    const colors = new Float32Array(positions.length);
-    const a = new THREE.Vector3();
-    const b = new THREE.Vector3();
-    const c = new THREE.Vector3();
-    const normal = new THREE.Vector3();
-    const color = new THREE.Color();
-    for (let at = 0; at < positions.length; at += 9) {
-      a.fromArray(positions, at);
-      b.fromArray(positions, at + 3);
-      c.fromArray(positions, at + 6);
-      normal.subVectors(b, a).cross(c.sub(a)).normalize();
-      const grain = Math.abs(Math.sin(normal.x * 41.3 + normal.y * 17.9 + a.x * 3.1 + a.y * 5.7)) * 0.14;
-      color.setHSL(0.09 + 0.1 * Math.max(0, normal.z), 0.08 + 0.14 * Math.max(0, normal.z), 0.36 + grain);
-      for (let k = 0; k < 3; k++) color.toArray(colors, at + k * 3);
-    }
-    const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
-    geometry.setAttribute("color", new THREE.BufferAttribute(colors, 3));
-    geometry.computeVertexNormals();
-    const mesh = new THREE.Mesh(geometry, this.materials.rocks);
-    mesh.castShadow = mesh.receiveShadow = true;
-    return mesh;
-  }
-
   private place(block: Block, id: number): void {
     block.group.position.set(((id >> 8) - this.originX) * blockSide, ((id & 0xff) - this.originY) * blockSide, 0);
-    for (const { low, world } of block.shells) {
+    for (const { low, world } of [...block.shells, ...block.rooms.values()]) {
       world.min.addVectors(low.min, block.group.position);
       world.max.addVectors(low.max, block.group.position);
     }
@@ -325,21 +276,8 @@ function distance(a: number, b: number): number {
   return Math.max(Math.abs((a >> 8) - (b >> 8)), Math.abs((a & 0xff) - (b & 0xff)));
 }
 
-/** Boards below, timber above, plaster between, one wall a little lighter than the next: rooms lie in the shade, where light alone shows no edges. */
-function roomColors(normals: THREE.BufferAttribute | THREE.InterleavedBufferAttribute): Float32Array {
-  const colors = new Float32Array(normals.count * 3);
-  const floor = new THREE.Color(0xa07c50);
-  const ceiling = new THREE.Color(0x8c7452);
-  const wall = new THREE.Color(0xd6c4a0);
-  const color = new THREE.Color();
-  for (let i = 0; i < normals.count; i++) {
-    const z = normals.getZ(i);
-    if (z > 0.6) color.copy(floor);
-    else if (z < -0.6) color.copy(ceiling);
-    else color.copy(wall).multiplyScalar(0.8 + 0.2 * Math.abs(normals.getX(i)) + 0.1 * normals.getY(i));
-    color.toArray(colors, i * 3);
-  }
-  return colors;
+function emptyBox(): Box {
+  return { min: new THREE.Vector3(), max: new THREE.Vector3() };
 }
 
 function boxOf(shape: NamedShape): THREE.Box3 {

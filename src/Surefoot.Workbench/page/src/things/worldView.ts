@@ -2,10 +2,10 @@
 
 import * as THREE from "three";
 import type { Drawn } from "../net/timeline";
-import type { OwnPose, ServerFrame } from "../net/wire";
+import { type OwnPose, PoseFlag, type ServerFrame } from "../net/wire";
 import { blockOf, blockSide, isIndoors } from "../net/world";
 import { isCalm } from "../scene/calm";
-import { Cutaway } from "../scene/cutaway";
+import { type Box, Cutaway } from "../scene/cutaway";
 import { horizonColor, sunDirection, zenithColor } from "../scene/sky";
 import { Stage } from "../scene/stage";
 import { Terrain } from "../scene/terrain";
@@ -14,6 +14,9 @@ import { Objects } from "./objects";
 import { Players } from "./players";
 
 const rebaseDistance = 4000;
+
+/** Metres. */
+const bodyHeight = 1.83;
 
 export class WorldView {
   readonly stage: Stage;
@@ -24,6 +27,9 @@ export class WorldView {
   readonly players = new Players();
   private readonly origin = new THREE.Vector3();
   private drawnTeleports = -1;
+  private lookFrom: number | null = null;
+  /** No land is seen from where the player is. */
+  private enclosed = false;
 
   constructor(canvas: HTMLCanvasElement) {
     this.stage = new Stage(canvas);
@@ -51,6 +57,11 @@ export class WorldView {
 
   set showsShapes(shown: boolean) {
     this.objects.showsPlain = this.bodies.showsPlain = shown;
+  }
+
+  /** The player goes to a place that is looked at from there; see `FollowCamera.begin`. */
+  expect(lookFrom: number): void {
+    this.lookFrom = lookFrom;
   }
 
   receive(frame: ServerFrame): void {
@@ -88,7 +99,7 @@ export class WorldView {
     if (pose) this.moveOrigin(blockOf(pose.cell));
     this.players.update(time, this.origin, now, dt);
     if (pose) this.follow(pose, now, dt);
-    this.bodies.update(time, this.origin, now, dt);
+    this.bodies.update(time, this.origin, now, dt, !this.enclosed);
     this.objects.moveParts(time);
     this.terrain.uniforms.time.value = this.breeze(now);
     this.stage.sky.update(this.stage.view.camera.position, this.breeze(now));
@@ -116,14 +127,21 @@ export class WorldView {
     if (me.drawn.teleports !== this.drawnTeleports) {
       this.drawnTeleports = me.drawn.teleports;
       stage.view.cut();
+      if (this.lookFrom !== null) stage.view.begin(this.lookFrom);
+      this.lookFrom = null;
       stage.grass.invalidate();
     }
+    const feet = me.figure.group.position;
     const indoors = isIndoors(pose.cell);
+    this.enclosed = (pose.flags & PoseFlag.Enclosed) !== 0 || (indoors && this.isBuried(feet));
+    stage.enclose(this.enclosed, dt);
+    terrain.group.visible = !this.enclosed;
+    this.objects.seeFrom(feet, indoors, this.enclosed, dt);
     stage.showGrass(!indoors);
     if (stage.grass.mesh.visible) stage.grass.update(me.drawn.position.x, me.drawn.position.y, origin, terrain, this.breeze(now));
-    const feet = me.figure.group.position;
     stage.lights.follow(feet);
-    stage.view.update(feet, me.drawn.yaw, dt, indoors, (x, y) => terrain.heightAt(x + origin.x, y + origin.y));
+    stage.view.update(feet, me.drawn.yaw, dt, indoors, (x, y) => this.groundAt(x, y));
+    stage.lights.hang(stage.view.camera.position);
     this.cutWay(feet, pose.cell);
   }
 
@@ -134,16 +152,26 @@ export class WorldView {
 
   private cutWay(feet: THREE.Vector3, cell: number): void {
     const indoors = isIndoors(cell);
-    const ground = this.terrain.heightAt(feet.x + this.origin.x, feet.y + this.origin.y);
-    const below = indoors && ground !== null && ground > feet.z + 0.5;
-    this.cutaway.update(
-      this.stage.view.camera.position,
-      feet,
-      indoors,
-      this.objects.topOf(cell),
-      below,
-      this.objects.shellsAround(blockOf(cell)),
-    );
+    const block = blockOf(cell);
+    this.cutaway.update(this.stage.view.camera.position, feet, indoors, this.objects.topOf(cell), this.objects.shellsAround(block));
+    this.cutaway.openCellars(indoors ? this.cellarsOf(block) : []);
+  }
+
+  /** The whole of the player is under the ground. */
+  private isBuried(feet: THREE.Vector3): boolean {
+    const ground = this.groundAt(feet.x, feet.y);
+    return ground !== null && feet.z + bodyHeight < ground;
+  }
+
+  private *cellarsOf(block: number): Iterable<Box> {
+    for (const room of this.objects.roomsOf(block)) {
+      const ground = this.groundAt((room.min.x + room.max.x) / 2, (room.min.y + room.max.y) / 2);
+      if (ground !== null && room.min.z < ground - 1 && room.max.z < ground + 1) yield room;
+    }
+  }
+
+  private groundAt(x: number, y: number): number | null {
+    return this.terrain.heightAt(x + this.origin.x, y + this.origin.y);
   }
 
   /** Numbers on the graphics card are single: they are kept small by measuring from a landblock near the player. */
