@@ -21,8 +21,8 @@ internal sealed class TourRun : SceneRun
     private const uint PlayerId = 0x50000001, FirstThrown = 0x60000001, FirstSpawned = 0x80000001;
     private const uint SmallCreatureSetup = 0x02000100;
 
-    private static readonly SetupAsset Ball = new() { Id = 0x02FF0001, Spheres = [new Sphere(Vector3.Zero, 0.25f)], StepUpHeight = 0.3f, StepDownHeight = 0.3f };
-    private static readonly SetupAsset Arrow = new() { Id = 0x02FF0002, Spheres = [new Sphere(Vector3.Zero, 0.1f)] };
+    private static readonly SetupAsset Ball = SetupAsset.OfSpheres(0x02FF0001, [new Sphere(Vector3.Zero, 0.25f)], 0.3f, 0.3f);
+    private static readonly SetupAsset Arrow = SetupAsset.OfSpheres(0x02FF0002, [new Sphere(Vector3.Zero, 0.1f)]);
 
     private static readonly MovementKeys[] Fingers =
     [

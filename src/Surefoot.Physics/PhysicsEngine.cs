@@ -11,8 +11,8 @@ using Surefoot.Physics.World;
 namespace Surefoot.Physics;
 
 /// <summary>
-/// The door: a world and the bodies in it. One thread at a time changes it; while nobody does, any number of threads may ask, each by a <see cref="WorldQuery"/>
-/// of its own. Engines share nothing that is written, so each thread may have its own.
+/// The door: a world and the bodies in it. One thread at a time changes it; while nobody does, any number of threads may ask, each by a
+/// <see cref="WorldQuery"/> of its own. Engines share nothing that is written, so each thread may have its own.
 /// </summary>
 /// <remarks>Retail: CPhysics.</remarks>
 public sealed class PhysicsEngine : ILoadListener
@@ -66,11 +66,20 @@ public sealed class PhysicsEngine : ILoadListener
     public double Now { get; private set; }
 
     /// <summary>The local player; bodies farther than 96 m from it sleep. Null, as on a server, keeps every body as it is.</summary>
-    public PhysicsBody? Player { get; set; }
+    /// <exception cref="ArgumentException">The body belongs to another engine.</exception>
+    public PhysicsBody? Player
+    {
+        get;
+        set
+        {
+            if (value is not null) ThrowIfForeign(value);
+            field = value;
+        }
+    }
 
     /// <summary>
-    /// Keep a body where it is when a move would end in no loaded cell. Off, as in retail, where such a body is parked until its cell is loaded; servers
-    /// want it on.
+    /// Keep a body where it is when a move would end in no loaded cell. Off, as in retail, where such a body is parked until its cell is
+    /// loaded; servers want it on.
     /// </summary>
     public bool RefuseLeavingCells { get; set; }
 
@@ -101,10 +110,14 @@ public sealed class PhysicsEngine : ILoadListener
         return body;
     }
 
-    /// <summary>Takes a body out of the world and forgets it. What it holds is let go and stays known, in no cell.</summary>
+    /// <summary>
+    /// Takes a body out of the world and forgets it: it cannot come back. What it holds is let go and stays known, in no cell. Nothing
+    /// happens for one that was removed before.
+    /// </summary>
+    /// <exception cref="ArgumentException">The body belongs to another engine.</exception>
     public void RemoveBody(PhysicsBody body)
     {
-        ArgumentNullException.ThrowIfNull(body);
+        ThrowIfForeign(body);
         body.ExitWorld();
         body.LeaveWorld();
         bodies.Remove(body);
@@ -113,13 +126,14 @@ public sealed class PhysicsEngine : ILoadListener
         if (ReferenceEquals(Player, body)) Player = null;
     }
 
-    /// <summary>The movement side of a body that was made with motions; also of one that got an interpreter by being ordered somewhere.</summary>
+    /// <summary>
+    /// The movement side of a body that was made with motions; also of one that got an interpreter by being ordered somewhere.
+    /// </summary>
     /// <returns>Null for a body that has no motions.</returns>
     /// <exception cref="ArgumentException">The body belongs to another engine.</exception>
     public MovementManager? MovementOf(PhysicsBody body)
     {
-        ArgumentNullException.ThrowIfNull(body);
-        if (!ReferenceEquals(body.Engine, this)) throw new ArgumentException("The body belongs to another engine.", nameof(body));
+        ThrowIfForeign(body);
         return body.Movement as MovementManager;
     }
 
@@ -127,8 +141,8 @@ public sealed class PhysicsEngine : ILoadListener
     public PhysicsBody? Find(uint id) => bodies.Find(id);
 
     /// <summary>
-    /// Brings every body, then the parts of animated statics, to <paramref name="now"/>. Less than 1/30 s after the last tick nothing happens and the time is
-    /// not lost: a finer step would change how bodies fall.
+    /// Brings every body, then the parts of animated statics, to <paramref name="now"/>. Less than 1/30 s after the last tick nothing
+    /// happens and the time is not lost: a finer step would change how bodies fall.
     /// </summary>
     /// <param name="now">Seconds; a clock that starts anywhere and does not run backwards.</param>
     /// <returns>True when bodies were updated.</returns>
@@ -153,17 +167,21 @@ public sealed class PhysicsEngine : ILoadListener
     }
 
     /// <summary>
-    /// Where a body of this shape would end that wants to go from one place to another in one quantum, standing where it begins when it touches the ground there:
-    /// a <see cref="WorldQuery.Sweep(in SweepInput, TraceBuffer)"/> by the engine's own query. Nothing in the world changes. Threads that ask at once have a query each.
+    /// Where a body of this shape would end that wants to go from one place to another in one quantum, standing where it begins when it
+    /// touches the ground there: a <see cref="WorldQuery.Sweep(in SweepInput, TraceBuffer)"/> by the engine's own query. Nothing in the
+    /// world changes. Threads that ask at once have a query each.
     /// </summary>
     /// <param name="setup">Shape of the body.</param>
     /// <param name="from">Begin.</param>
     /// <param name="to">End wanted.</param>
     /// <param name="state">Physics state word of the body.</param>
     /// <param name="weenie">What kind of body.</param>
-    /// <exception cref="ArgumentException">A position is not finite, an id cannot name a cell, or the shape is none that can move.</exception>
+    /// <exception cref="ArgumentException">
+    /// A position is not finite, an id cannot name a cell, or the shape is none that can move.
+    /// </exception>
     public SweepResult Resolve(
-        SetupAsset setup, in Position from, in Position to, PhysicsState state = PhysicsState.Default, WeenieTraits weenie = WeenieTraits.None) =>
+        SetupAsset setup, in Position from, in Position to, PhysicsState state = PhysicsState.Default,
+        WeenieTraits weenie = WeenieTraits.None) =>
         (own ??= CreateQuery()).Sweep(new SweepInput(new Mover(setup, state, weenie), from, to));
 
     /// <summary>Work objects for one more thread that asks about this world.</summary>
@@ -195,6 +213,12 @@ public sealed class PhysicsEngine : ILoadListener
         foreach (PhysicsBody body in bodies) body.AddTo(ref hash);
         statics.AddTo(ref hash);
         return hash.Value;
+    }
+
+    internal void ThrowIfForeign(PhysicsBody body)
+    {
+        ArgumentNullException.ThrowIfNull(body);
+        if (!ReferenceEquals(body.Engine, this)) throw new ArgumentException("The body belongs to another engine.", nameof(body));
     }
 
     private static PhysicsWorld MakeWorld(PhysicsDataCache assets, PhysicsEngineOptions options)
@@ -229,14 +253,17 @@ public sealed record PhysicsEngineOptions
     public RegionAsset? Region { get; init; }
 
     /// <summary>
-    /// Off, the usual case: what is missing or wrong in the files costs only the thing it belongs to, which <see cref="PhysicsWorld.LeftOut"/> then lists. On, for
-    /// those who write worlds: a landblock with a fault does not load, and loading it throws. Retail's own omissions (buildings, objects and scenes whose own
-    /// record is in no file) are no fault; they are listed either way.
+    /// Off, the usual case: what is missing or wrong in the files costs only the thing it belongs to, which
+    /// <see cref="PhysicsWorld.LeftOut"/> then lists. On, for those who write worlds: a landblock with a fault does not load, and loading
+    /// it throws. Retail's own omissions (buildings, objects and scenes whose own record is in no file) are no fault; they are listed
+    /// either way.
     /// </summary>
     public bool StrictLoading { get; init; }
 }
 
 /// <summary>What moves a body by itself.</summary>
-/// <param name="Table">Its motions; null for a body that has none of its own: it gets an interpreter when it is first ordered somewhere.</param>
+/// <param name="Table">
+/// Its motions; null for a body that has none of its own: it gets an interpreter when it is first ordered somewhere.
+/// </param>
 /// <param name="Weenie">What the game knows of it; null counts as a creature with run rate 1.</param>
 public sealed record BodyMotions(MotionTableAsset? Table, IWeenieObj? Weenie = null);

@@ -6,8 +6,6 @@ namespace Surefoot.Tests;
 /// <summary>The sample of the README is here; it compiles, and it runs.</summary>
 public sealed class ReadmeSampleTests(DemoFolder demo) : IClassFixture<DemoFolder>
 {
-    private const string Mark = "// sample";
-
     [Fact]
     [Behaviour("docs.readme.sample-runs", "README, Embed it")]
     public void The_sample_of_the_readme_runs_and_is_what_the_readme_shows()
@@ -22,18 +20,6 @@ public sealed class ReadmeSampleTests(DemoFolder demo) : IClassFixture<DemoFolde
 
         // sample
         Assert.InRange(player.Position.Frame.Origin.Y, 24 + 25, 24 + 32);
-
-        string[] source = File.ReadAllLines(Repository.PathOf("tests", "Surefoot.Tests", "ReadmeSampleTests.cs"));
-        int first = Array.FindIndex(source, line => line.Trim() == Mark), last = Array.FindLastIndex(source, line => line.Trim() == Mark);
-
-        // This file's own namespace stands for the first using.
-        IEnumerable<string> usings = source.TakeWhile(line => line.StartsWith("using ",
-            StringComparison.Ordinal)).Prepend("using Surefoot;");
-        string[] sample = [.. usings.Concat(source[(first + 1)..last]).Select(line => line.Trim()).Where(line => line.Length > 0)];
-
-        string[] readme = File.ReadAllLines(Repository.PathOf("README.md"));
-        int begin = Array.IndexOf(readme, "```csharp", Array.IndexOf(readme, "## Embed it")) + 1;
-        string[] shown = [.. readme[begin..Array.IndexOf(readme, "```", begin)].Select(line => line.Trim()).Where(line => line.Length > 0)];
-        Assert.Equal(sample, shown);
+        Sample.AssertShown("README.md", "## Embed it", "ReadmeSampleTests.cs");
     }
 }

@@ -21,7 +21,7 @@ public sealed class AnimationAsset
     /// <param name="positionFrames">Root motion of each frame, or empty.</param>
     /// <param name="partFrames">All parts of the first frame, then all of the second, and so on; empty where nobody asks where the parts are.</param>
     /// <exception cref="ArgumentException">No frames, another number of position frames, or part frames that do not divide by the frames.</exception>
-    public AnimationAsset(uint id, int frameCount, ReadOnlySpan<Frame> positionFrames = default, ReadOnlySpan<Frame> partFrames = default)
+    internal AnimationAsset(uint id, int frameCount, ReadOnlySpan<Frame> positionFrames = default, ReadOnlySpan<Frame> partFrames = default)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(frameCount, 1);
         if (positionFrames.Length != 0 && positionFrames.Length != frameCount)

@@ -5,7 +5,7 @@ namespace Surefoot.Physics.Assets;
 
 /// <summary>How much of a sphere is in a room.</summary>
 /// <remarks>Retail: BoundingType.</remarks>
-public enum CellOverlap
+internal enum CellOverlap
 {
     /// <summary>None.</summary>
     Outside = 0,
@@ -21,7 +21,7 @@ public enum CellOverlap
 /// The containment tree of a room, which is a chain: a point is in the room when it is behind none of the planes. Immutable.
 /// </summary>
 /// <remarks>Retail: the cell trees of BSPTREE; only the positive children are followed. A leaf ends the chain (specification 04, 4.5 and 7.5).</remarks>
-public sealed class CellBsp
+internal sealed class CellBsp
 {
     /// <summary>How much further than its radius a sphere reaches in a containment test: 0.01 m.</summary>
     internal const float Fudge = 0.01f;

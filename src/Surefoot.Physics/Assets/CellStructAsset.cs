@@ -5,7 +5,7 @@ namespace Surefoot.Physics.Assets;
 
 /// <summary>The shape of rooms: what stops a body, what the room contains, and where its portals are. Immutable and shared.</summary>
 /// <remarks>Retail: the collision side of CCellStruct.</remarks>
-public sealed class CellStructAsset
+internal sealed class CellStructAsset
 {
     private readonly ushort[] portalKeys;
 
@@ -64,7 +64,7 @@ public sealed class CellStructAsset
 
 /// <summary>The shapes of rooms in one environment record. Immutable and shared.</summary>
 /// <remarks>Retail: CEnvironment.</remarks>
-public sealed class EnvironmentAsset
+internal sealed class EnvironmentAsset
 {
     private readonly CellStructAsset[] structures;
 

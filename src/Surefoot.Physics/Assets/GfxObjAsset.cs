@@ -8,31 +8,38 @@ namespace Surefoot.Physics.Assets;
 /// <remarks>Retail: the collision side of CGfxObj.</remarks>
 public sealed class GfxObjAsset
 {
+    internal GfxObjAsset()
+    {
+    }
+
     /// <summary>Id of the record, 0x01…</summary>
-    public uint Id { get; init; }
+    public uint Id { get; internal init; }
 
     /// <summary>The collision tree; null for a mesh that stops nothing.</summary>
-    public PhysicsBsp? Physics { get; init; }
+    internal PhysicsBsp? Physics { get; init; }
+
+    /// <summary>The collision polygons, which trees find their way to; empty for a mesh that stops nothing.</summary>
+    public PolygonSet Polygons => Physics is null ? PolygonSet.Empty : Physics.Polygons;
 
     /// <summary>Box of all vertices, drawn ones too, without any scale; empty without vertices.</summary>
     /// <remarks>Retail: CGfxObj's gfx_bound_box, CPhysicsPart::GetBoundingBox @0x0050D600.</remarks>
-    public BoundingBox BoundingBox { get; init; } = BoundingBox.Empty;
+    internal BoundingBox BoundingBox { get; init; } = BoundingBox.Empty;
 
     /// <summary>Bounding sphere of the collision tree; null without one.</summary>
-    public Sphere? PhysicsSphere => Physics?.Bounds;
+    internal Sphere? PhysicsSphere => Physics?.Bounds;
 
     /// <summary>No collision polygon is further than this from the mesh's origin, metres; 0 without a tree.</summary>
     internal double PhysicsReach => Physics is null ? 0 : RetailMath.Length(Physics.Bounds.Center) + Physics.Bounds.Radius;
 
     /// <summary>Bounding sphere of the drawing tree; null without one.</summary>
-    public Sphere? DrawingSphere { get; init; }
+    internal Sphere? DrawingSphere { get; init; }
 
     /// <summary>The physics sphere, or the drawing sphere of a mesh without one, or none.</summary>
-    public Sphere? AnySphere => PhysicsSphere ?? DrawingSphere;
+    internal Sphere? AnySphere => PhysicsSphere ?? DrawingSphere;
 
     /// <summary>The mesh is a picture that turns to the viewer: its place in cells follows its sphere instead of its box.</summary>
     /// <remarks>Retail: CPhysicsPart::Always2D @0x0050D8A0: the first level of its degrade record has a mode other than 1.</remarks>
-    public bool Always2D { get; init; }
+    internal bool Always2D { get; init; }
 
     /// <summary>Flattens a record.</summary>
     /// <exception cref="Dats.DatFormatException">The record contradicts itself.</exception>

@@ -4,7 +4,7 @@ using Surefoot.Physics.Geometry;
 namespace Surefoot.Physics.Assets;
 
 /// <content>Questions about a sphere, all in the tree's own frame. None of them writes to the tree.</content>
-public sealed partial class PhysicsBsp
+internal sealed partial class PhysicsBsp
 {
     /// <summary>What happens at a leaf during a walk that looks in front of each plane first.</summary>
     private interface ILeafVisitor

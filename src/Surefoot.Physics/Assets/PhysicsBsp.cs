@@ -11,7 +11,7 @@ namespace Surefoot.Physics.Assets;
 /// Retail: BSPTREE, BSPNODE, BSPLEAF; specification 04, 4.5 and 4.6. This file is the shape of the tree, the others are what is asked of it. A leaf without
 /// polygons answers nothing to every query, so all of them, and children that a file lacks, are one value: <see cref="Nothing"/>.
 /// </remarks>
-public sealed partial class PhysicsBsp
+internal sealed partial class PhysicsBsp
 {
     /// <summary>Reference to an empty leaf. References from 0 up are nodes, those below −1 are leaves.</summary>
     internal const int Nothing = -1;
@@ -74,7 +74,7 @@ public sealed partial class PhysicsBsp
 }
 
 /// <summary>Which polygon a query met, and where.</summary>
-public struct PolygonContact
+internal struct PolygonContact
 {
     private int indexPlusOne;
 
@@ -97,7 +97,7 @@ public struct PolygonContact
 
 /// <summary>A search for the surface a sphere comes to rest on; the sphere moves while it goes on.</summary>
 /// <remarks>Retail: the arguments of BSPNODE::find_walkable @0x0053CC80.</remarks>
-public struct WalkableSearch
+internal struct WalkableSearch
 {
     /// <summary>The sphere, in the tree's frame; moved to rest on each surface found.</summary>
     public Sphere Sphere;

@@ -31,7 +31,7 @@ public sealed class PhysicsDataCache
     public IDatSource Source { get; }
 
     /// <summary>Number of assets built so far.</summary>
-    public int Count => meshes.Count + environments.Count + setups.Count + animations.Count;
+    internal int Count => meshes.Count + environments.Count + setups.Count + animations.Count;
 
     /// <summary>The mesh with an id 0x01…</summary>
     /// <exception cref="DatRecordMissingException">There is no such record.</exception>
@@ -41,7 +41,7 @@ public sealed class PhysicsDataCache
     /// <summary>The environment with an id 0x0D…</summary>
     /// <exception cref="DatRecordMissingException">There is no such record.</exception>
     /// <exception cref="DatFormatException">The record is malformed.</exception>
-    public EnvironmentAsset GetEnvironment(uint id) => environments.TryGetValue(id, out EnvironmentAsset? asset)
+    internal EnvironmentAsset GetEnvironment(uint id) => environments.TryGetValue(id, out EnvironmentAsset? asset)
         ? asset
         : environments.GetOrAdd(id, EnvironmentAsset.Build(Source.Read<CellEnvironment>(id)));
 
@@ -62,7 +62,7 @@ public sealed class PhysicsDataCache
     /// <param name="setupId">The setup that names it.</param>
     /// <exception cref="DatRecordMissingException">There is no such record.</exception>
     /// <exception cref="DatFormatException">The record is malformed, has no frames, or moves no parts.</exception>
-    public AnimationAsset GetDefaultAnimation(uint id, uint setupId)
+    internal AnimationAsset GetDefaultAnimation(uint id, uint setupId)
     {
         if (animations.TryGetValue(id, out AnimationAsset? asset)) return asset;
         Animation record = Source.Read<Animation>(id, setupId);

@@ -38,13 +38,13 @@ public sealed class PolygonSet
     /// <summary>
     /// Which sides are drawn: 0 the front, 1 both alike, 2 both with surfaces of their own. Only rays care; a moving sphere meets either side.
     /// </summary>
-    public int SidesOf(int polygon) => sides is null ? 0 : sides[polygon];
+    internal int SidesOf(int polygon) => sides is null ? 0 : sides[polygon];
 
     /// <summary>A polygon, to be asked questions of.</summary>
-    public ConvexPolygon this[int polygon] => new(planes[polygon], CornersOf(polygon));
+    internal ConvexPolygon this[int polygon] => new(planes[polygon], CornersOf(polygon));
 
     /// <summary>A set of polygons given by their corners; the planes are worked out.</summary>
-    public static PolygonSet FromCorners(params ReadOnlySpan<Vector3[]> polygons)
+    internal static PolygonSet FromCorners(params ReadOnlySpan<Vector3[]> polygons)
     {
         PolygonSetBuilder builder = new(polygons.Length);
         foreach (Vector3[] polygon in polygons) builder.Add(polygon, 0);
@@ -78,7 +78,7 @@ internal sealed class PolygonSetBuilder(int expected)
 /// <summary>One polygon of a set; the default value is no polygon.</summary>
 /// <param name="Set">The set, null for no polygon.</param>
 /// <param name="Index">Index inside the set.</param>
-public readonly record struct PolygonRef(PolygonSet? Set, int Index)
+internal readonly record struct PolygonRef(PolygonSet? Set, int Index)
 {
     /// <summary>True for no polygon.</summary>
     public bool IsNone => Set is null;

@@ -28,14 +28,18 @@ public sealed class SetupAsset
     private Frame[] defaultPlacement = [];
     private Frame[]? resting;
 
+    internal SetupAsset()
+    {
+    }
+
     /// <summary>Id of the record: 0x02…, or 0x01… for a setup made up for one mesh.</summary>
-    public uint Id { get; init; }
+    public uint Id { get; internal init; }
 
     /// <summary>The parts.</summary>
     public ReadOnlySpan<SetupPart> Parts
     {
         get => parts;
-        init
+        internal init
         {
             parts = value.ToArray();
             HasPhysicsBsp = Array.Exists(parts, p => p.Mesh.Physics is not null);
@@ -46,7 +50,7 @@ public sealed class SetupAsset
     public ReadOnlySpan<Sphere> Spheres
     {
         get => spheres;
-        init
+        internal init
         {
             spheres = value.ToArray();
             foreach (ref readonly Sphere sphere in value) SpheresReach = Math.Max(SpheresReach, RetailMath.Length(sphere.Center) + Math.Abs(sphere.Radius));
@@ -60,7 +64,7 @@ public sealed class SetupAsset
     public ReadOnlySpan<CylSphere> Cylinders
     {
         get => cylinders;
-        init => cylinders = value.ToArray();
+        internal init => cylinders = value.ToArray();
     }
 
     /// <summary>Where things are held.</summary>
@@ -71,28 +75,28 @@ public sealed class SetupAsset
     }
 
     /// <summary>Height.</summary>
-    public float Height { get; init; }
+    public float Height { get; internal init; }
 
     /// <summary>Radius.</summary>
-    public float Radius { get; init; }
+    public float Radius { get; internal init; }
 
     /// <summary>Highest step climbed.</summary>
-    public float StepUpHeight { get; init; }
+    public float StepUpHeight { get; internal init; }
 
     /// <summary>Deepest step descended.</summary>
-    public float StepDownHeight { get; init; }
+    public float StepDownHeight { get; internal init; }
 
     /// <summary>Sphere around everything, by which things far away are ordered and moving objects without cylinders find their cells.</summary>
-    public Sphere SortingSphere { get; init; }
+    public Sphere SortingSphere { get; internal init; }
 
     /// <summary>The body may turn freely in one sweep.</summary>
-    public bool AllowFreeHeading { get; init; }
+    public bool AllowFreeHeading { get; internal init; }
 
     /// <summary>Motion table an object of this setup starts with; 0 for none.</summary>
-    public uint DefaultMotionTableId { get; init; }
+    public uint DefaultMotionTableId { get; internal init; }
 
     /// <summary>Animation that a static object of this setup plays for ever; 0 for none.</summary>
-    public uint DefaultAnimationId { get; init; }
+    public uint DefaultAnimationId { get; internal init; }
 
     /// <summary>
     /// Some part has a collision tree: an object that is made of this setup is then hit by its trees, and neither by cylinders nor by spheres, until a server's
@@ -117,7 +121,27 @@ public sealed class SetupAsset
     public ReadOnlySpan<Frame> RestPose => resting ?? defaultPlacement;
 
     /// <summary>Is there a way of putting the object down with this number?</summary>
-    public bool HasPlacement(uint placement) => placements.ContainsKey(placement);
+    internal bool HasPlacement(uint placement) => placements.ContainsKey(placement);
+
+    /// <summary>A shape made up of spheres, for balls, arrows and whatever the files do not have.</summary>
+    /// <param name="id">An id of the maker's choice; it is what traces call the shape.</param>
+    /// <param name="spheres">The spheres; the first is the foot. Bodies move by the first two.</param>
+    /// <param name="stepUpHeight">Highest step climbed, metres.</param>
+    /// <param name="stepDownHeight">Deepest step descended without leaving the ground, metres.</param>
+    /// <exception cref="ArgumentException">There is no sphere, or a radius, a centre or a height is not finite, or negative, or a radius is 0.</exception>
+    public static SetupAsset OfSpheres(uint id, ReadOnlySpan<Sphere> spheres, float stepUpHeight = 0f, float stepDownHeight = 0f)
+    {
+        if (spheres.IsEmpty) throw new ArgumentException("A shape of spheres has at least one.", nameof(spheres));
+        foreach (ref readonly Sphere sphere in spheres) sphere.ThrowIfBad(nameof(spheres));
+        ThrowIfNoHeight(stepUpHeight, nameof(stepUpHeight));
+        ThrowIfNoHeight(stepDownHeight, nameof(stepDownHeight));
+        return new SetupAsset { Id = id, Spheres = spheres, StepUpHeight = stepUpHeight, StepDownHeight = stepDownHeight };
+
+        static void ThrowIfNoHeight(float height, string name)
+        {
+            if (!(height >= 0) || !float.IsFinite(height)) throw new ArgumentException("The height of a step is negative or not finite.", name);
+        }
+    }
 
     /// <summary>The holding location with a number, the first of two.</summary>
     /// <returns>False when there is none.</returns>
@@ -185,7 +209,7 @@ public sealed class SetupAsset
     /// <param name="pose">Frame of the part in the object's frame at scale 1.</param>
     /// <param name="scale">The object's scale.</param>
     /// <remarks>Retail: CPartArray::UpdateParts, Frame::combine.</remarks>
-    public static Position PlacePart(in Position target, in Frame pose, float scale)
+    internal static Position PlacePart(in Position target, in Frame pose, float scale)
     {
         Frame scaled = pose;
         scaled.Origin = RetailMath.Scale(pose.Origin, scale);

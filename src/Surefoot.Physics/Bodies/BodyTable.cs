@@ -24,7 +24,10 @@ internal sealed class BodyTable : IEnumerable<PhysicsBody>
 
     internal void Remove(PhysicsBody body)
     {
-        if (byId.Remove(body.Id)) buckets[BucketOf(body.Id)].Remove(body);
+        // Another body may have the id by now.
+        if (!ReferenceEquals(Find(body.Id), body)) return;
+        byId.Remove(body.Id);
+        buckets[BucketOf(body.Id)].Remove(body);
     }
 
     internal PhysicsBody? Find(uint id) => byId.GetValueOrDefault(id);

@@ -5,7 +5,7 @@ namespace Surefoot.Physics.Bodies;
 
 /// <summary>What the motion side needs to know of a body and may do to it. The other direction is <c>IBodyMovement</c>.</summary>
 /// <remarks>Retail: the members of CPhysicsObj that CMotionInterp uses; specification 01 and 02, 4.10.</remarks>
-public interface IMotionBody
+internal interface IMotionBody
 {
     /// <summary>Touches a plane.</summary>
     bool HasContact { get; }

@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 namespace Surefoot.Physics.Bodies;
 
 /// <summary>What a stamp of an object counts; the numbers are those of the wire.</summary>
-public enum ObjectStamp
+internal enum ObjectStamp
 {
     /// <summary>Positions, and being picked up or held.</summary>
     Position = 0,
@@ -34,7 +34,7 @@ public enum ObjectStamp
 }
 
 /// <summary>How the instance stamp of a message compares with that of the object it is for.</summary>
-public enum InstanceAge
+internal enum InstanceAge
 {
     /// <summary>The message is for the object as it is.</summary>
     Current,
@@ -52,7 +52,7 @@ public enum InstanceAge
 /// has no effect after that.
 /// </summary>
 /// <remarks>Retail: CPhysicsObj::update_times; specification 02, 2.7, 08, 4.3 and 09, 5.2.</remarks>
-public struct MessageStamps : IEquatable<MessageStamps>
+internal struct MessageStamps : IEquatable<MessageStamps>
 {
     /// <summary>Number of stamps.</summary>
     public const int Count = 9;

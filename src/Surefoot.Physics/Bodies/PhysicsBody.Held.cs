@@ -22,11 +22,14 @@ public sealed partial class PhysicsBody
     /// False when the holder has no such location, is this body, or is held by it at any remove; nothing has changed then.
     /// </returns>
     /// <exception cref="ArgumentException">The holder belongs to another engine.</exception>
+    /// <exception cref="InvalidOperationException">One of them was removed from the engine.</exception>
     /// <remarks>Retail: CPhysicsObj::set_parent @0x00515A90. Of rings it refuses only the smallest.</remarks>
     public bool SetParent(PhysicsBody holder, uint location)
     {
         ArgumentNullException.ThrowIfNull(holder);
         if (!ReferenceEquals(holder.engine, engine)) throw new ArgumentException("The holder belongs to another engine.", nameof(holder));
+        ThrowIfRemoved();
+        holder.ThrowIfRemoved();
         if (holder.IsHeldBy(this) || holder.Setup is not { } shape) return false;
         if (!shape.TryGetHoldingLocation(location, out HoldingLocation place)) return false;
 

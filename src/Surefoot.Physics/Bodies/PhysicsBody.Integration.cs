@@ -77,14 +77,18 @@ public sealed partial class PhysicsBody
         updateTime = simulated;
     }
 
-    /// <summary>Advances the body by one quantum now, whatever the world's clock says: for replays and tests.</summary>
+    /// <summary>Advances the body by one quantum now, whatever the engine's clock says: for replays and tests.</summary>
+    /// <param name="quantum">Seconds, more than 0.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The quantum is not a positive finite number.</exception>
+    public void Step(float quantum) => Step(quantum, sweepWithoutSpheres: false);
+
+    /// <summary>The same.</summary>
     /// <param name="quantum">Seconds, more than 0.</param>
     /// <param name="sweepWithoutSpheres">
     /// Let a body without spheres move by the dummy sphere of its transition. In a tick such a body stays where it is (specification 02, 4.4, step 5);
     /// recorded walks leave that rule out.
     /// </param>
-    /// <exception cref="ArgumentOutOfRangeException">The quantum is not a positive finite number.</exception>
-    public void Step(float quantum, bool sweepWithoutSpheres = false)
+    internal void Step(float quantum, bool sweepWithoutSpheres)
     {
         if (!(quantum > 0) || !float.IsFinite(quantum)) throw new ArgumentOutOfRangeException(nameof(quantum), quantum, "A quantum is a positive number of seconds.");
         updateTime += quantum;

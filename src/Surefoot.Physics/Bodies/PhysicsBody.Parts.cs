@@ -19,7 +19,7 @@ public sealed partial class PhysicsBody
 
     /// <summary>
     /// Puts the body's parts down in another way than <see cref="SetupAsset.Resting"/>, as a server's description of a body without movement tells. A way that
-    /// its setup lacks is listed in <see cref="ICellWorld.LeftOut"/> and is the default way, 0; one that lacks that too leaves the parts where they are. An
+    /// its setup lacks is listed in <see cref="PhysicsWorld.LeftOut"/> and is the default way, 0; one that lacks that too leaves the parts where they are. An
     /// animation goes before it.
     /// </summary>
     /// <param name="value">Number of the placement: 0 by default, 0x67 on a hook and so on.</param>

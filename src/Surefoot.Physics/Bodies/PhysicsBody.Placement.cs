@@ -64,11 +64,15 @@ public readonly record struct PlacementRequest(
 public sealed partial class PhysicsBody
 {
     /// <summary>Puts the body somewhere. No contact and no wall of where it was is taken along.</summary>
-    /// <exception cref="ArgumentException">The position or a radius is not finite, or the id cannot name a cell.</exception>
+    /// <exception cref="ArgumentException">
+    /// The position or a radius is not finite, or the id cannot name a cell; nothing has changed.
+    /// </exception>
+    /// <exception cref="InvalidOperationException">The body was removed from its engine.</exception>
     /// <remarks>Retail: CPhysicsObj::SetPosition @0x005160C0.</remarks>
     public PlacementResult SetPosition(in PlacementRequest request)
     {
         ThrowIfBad(request.Position);
+        ThrowIfRemoved();
         if (!float.IsFinite(request.RadiusX) || !float.IsFinite(request.RadiusY)) throw new ArgumentException("A scatter radius is not finite.", nameof(request));
         return Place(request);
     }

@@ -9,7 +9,7 @@ public sealed partial class PhysicsBody
     /// <summary>Stores a new state word. Gravity takes effect at the next commit or change of ground; hiding and showing do at once.</summary>
     /// <param name="value">
     /// The word, taken as it is: its <see cref="PhysicsState.HasPhysicsBsp"/> decides from now on between the trees of the parts and cylinders or spheres. Bits
-    /// that contradict each other or the body's shape are listed in <see cref="ICellWorld.LeftOut"/>; the body keeps its pose.
+    /// that contradict each other or the body's shape are listed in <see cref="PhysicsWorld.LeftOut"/>; the body keeps its pose.
     /// </param>
     /// <remarks>Retail: CPhysicsObj::set_state @0x00514DD0.</remarks>
     public void SetState(PhysicsState value)

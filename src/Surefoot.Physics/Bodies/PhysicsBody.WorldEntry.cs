@@ -11,9 +11,12 @@ public sealed partial class PhysicsBody
     /// <summary>Comes into the world at a position, moved to a free place near by when it is taken.</summary>
     /// <returns>True when it is in the world, or waits for its cell to be loaded.</returns>
     /// <remarks>Retail: CPhysicsObj::enter_world(pos) @0x00516310.</remarks>
+    /// <exception cref="ArgumentException">The position is not finite, or its id cannot name a cell; nothing has changed.</exception>
+    /// <exception cref="InvalidOperationException">The body was removed from its engine.</exception>
     public bool EnterWorld(in Position position, bool slide = true)
     {
         ThrowIfBad(position);
+        ThrowIfRemoved();
         if (Parent is not null) return false;
         StorePosition(position);
         updateTime = engine.Now;
@@ -49,7 +52,7 @@ public sealed partial class PhysicsBody
 
     /// <summary>What a teleport ends: a move-to, corrections under way, sticking, tracking, touches.</summary>
     /// <remarks>Retail: CPhysicsObj::teleport_hook @0x00514ED0.</remarks>
-    public void TeleportHook()
+    internal void TeleportHook()
     {
         Steering?.HandleTeleport();
         ReportCollisionEnd(updateTime, force: true);
@@ -64,6 +67,12 @@ public sealed partial class PhysicsBody
     /// <returns>False when nothing was free there.</returns>
     internal bool ReenterVisibility() =>
         Place(new PlacementRequest(PositionField, PlacementFlags.Placement | PlacementFlags.Slide)) == PlacementResult.OK;
+
+    private void ThrowIfRemoved()
+    {
+        if (!ReferenceEquals(engine.Find(Id), this))
+            throw new InvalidOperationException($"The body 0x{Id:X8} was removed from its engine; make a new one.");
+    }
 
     private void PrepareToEnterWorld()
     {

@@ -108,7 +108,7 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody, IHookTarget
     public TraceBuffer? Trace { get; set; }
 
     /// <summary>The last motion was asked for here and not by a server.</summary>
-    public bool LastMoveWasAutonomous { get; set; }
+    public bool LastMoveWasAutonomous { get; internal set; }
 
     /// <inheritdoc/>
     public bool HasGravity => State.Has(PhysicsState.Gravity);
@@ -148,10 +148,20 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody, IHookTarget
     /// <summary>Sets the velocity from the body's own axes.</summary>
     /// <param name="velocity">m/s; x right, y ahead, z up.</param>
     /// <remarks>Retail: CPhysicsObj::set_local_velocity @0x005114D0.</remarks>
-    public void SetLocalVelocity(Vector3 velocity)
+    internal void SetLocalVelocity(Vector3 velocity)
     {
         ThrowIfNotFinite(velocity, nameof(velocity));
         SetVelocity(PositionField.Frame.LocalToGlobalVector(velocity));
+    }
+
+    void IMotionBody.SetLocalVelocity(Vector3 velocity) => SetLocalVelocity(velocity);
+
+    void IMotionBody.SetOnWalkable(bool on) => SetOnWalkable(on);
+
+    bool IMotionBody.LastMoveWasAutonomous
+    {
+        get => LastMoveWasAutonomous;
+        set => LastMoveWasAutonomous = value;
     }
 
     /// <summary>Velocity in the body's own axes, m/s.</summary>
@@ -211,7 +221,7 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody, IHookTarget
 
     /// <summary>Writes the on-walkable bit, tells the movement side, and renews the acceleration.</summary>
     /// <remarks>Retail: CPhysicsObj::set_on_walkable @0x00511310.</remarks>
-    public void SetOnWalkable(bool on)
+    internal void SetOnWalkable(bool on)
     {
         bool before = OnWalkable;
         Set(TransientState.OnWalkable, on);

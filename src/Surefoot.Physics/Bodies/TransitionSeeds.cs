@@ -35,8 +35,8 @@ internal static class TransitionSeeds
     }
 
     /// <summary>
-    /// Tries a place for a mover that is seeded. Without sliding the found place must be in the same cell and less than 5 cm east or north of the one asked for;
-    /// the test is signed, so any move west or south passes.
+    /// Tries a place for a mover that is seeded. Without sliding the found place must be in the same cell and less than 5 cm east or north
+    /// of the one asked for; the test is signed, so any move west or south passes.
     /// </summary>
     /// <remarks>Retail: CPhysicsObj::CheckPositionInternal @0x00511E90.</remarks>
     internal static bool Place(this Transition transition, ObjCell cell, ref Position place, bool slide)
@@ -60,7 +60,9 @@ internal static class TransitionSeeds
         else transition.Path.InitSpheres(DummySphere, 1f);
     }
 
-    /// <summary>What the mover stands on and slides along goes into the transition; a plane that its velocity leads away from is left behind.</summary>
+    /// <summary>
+    /// What the mover stands on and slides along goes into the transition; a plane that its velocity leads away from is left behind.
+    /// </summary>
     /// <remarks>Retail: CPhysicsObj::get_object_info @0x00511CC0, check_contact @0x0050F5B0.</remarks>
     internal static MoverFlags SeedContact(this Transition transition, WorldObject mover, in BodySeat from)
     {

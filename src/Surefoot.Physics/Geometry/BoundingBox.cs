@@ -4,7 +4,7 @@ namespace Surefoot.Physics.Geometry;
 
 /// <summary>An axis-aligned box, metres.</summary>
 /// <remarks>Retail: BBox.</remarks>
-public struct BoundingBox : IEquatable<BoundingBox>
+internal struct BoundingBox : IEquatable<BoundingBox>
 {
     /// <summary>A box between two corners.</summary>
     public BoundingBox(Vector3 min, Vector3 max)

@@ -4,7 +4,7 @@ using System.Runtime.CompilerServices;
 namespace Surefoot.Physics.Geometry;
 
 /// <summary>Pure tests between spheres, cylinders and rays, in retail's arithmetic (specification 04, 4.5, 4.8, 4.9).</summary>
-public static class CollisionPrimitives
+internal static class CollisionPrimitives
 {
     /// <summary>
     /// The early-out of bounding spheres. The tolerance is compared with a squared length, so spheres that touch, and some that just do

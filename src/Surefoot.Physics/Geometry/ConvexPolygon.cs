@@ -11,7 +11,7 @@ namespace Surefoot.Physics.Geometry;
 /// Retail: CPolygon; specification 04, 4.4. A polygon of no area, or of fewer than three corners, has a plane of NaN: nothing
 /// touches it and nothing stands on it.
 /// </remarks>
-public readonly ref struct ConvexPolygon
+internal readonly ref struct ConvexPolygon
 {
     /// <summary>A view of a polygon whose plane is known.</summary>
     public ConvexPolygon(scoped in Plane plane, ReadOnlySpan<Vector3> corners)

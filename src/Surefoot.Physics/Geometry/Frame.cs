@@ -39,7 +39,7 @@ public struct Frame : IEquatable<Frame>
     public Vector3 ZAxis { readonly get; private set; }
 
     /// <summary>World up seen from inside the frame (m2, m5, m8).</summary>
-    public readonly Vector3 LocalUp => new(XAxis.Z, YAxis.Z, ZAxis.Z);
+    internal readonly Vector3 LocalUp => new(XAxis.Z, YAxis.Z, ZAxis.Z);
 
     /// <summary>A point of the frame in the coordinates around it, each component rounded once.</summary>
     /// <remarks>Retail: Frame::localtoglobal @0x00452620.</remarks>
@@ -108,7 +108,7 @@ public struct Frame : IEquatable<Frame>
     }
 
     /// <summary>Takes the orientation of <paramref name="other"/>, matrix included.</summary>
-    public void CopyRotation(in Frame other)
+    internal void CopyRotation(in Frame other)
     {
         rotation = other.rotation;
         XAxis = other.XAxis;
@@ -131,7 +131,7 @@ public struct Frame : IEquatable<Frame>
 
     /// <summary>The inverse of <see cref="Combine"/> on the right: the frame that, followed by <paramref name="inner"/>, gives <paramref name="whole"/>.</summary>
     /// <remarks>Retail: Frame::subtract1.</remarks>
-    public static Frame Subtract(in Frame whole, in Frame inner)
+    internal static Frame Subtract(in Frame whole, in Frame inner)
     {
         Frame result = whole;
         Quaternion conjugate = new(-inner.rotation.X, -inner.rotation.Y, -inner.rotation.Z, inner.rotation.W);
@@ -161,7 +161,7 @@ public struct Frame : IEquatable<Frame>
 
     /// <summary>Orientation a fraction <paramref name="t"/> of the way between two frames; the origin is left alone.</summary>
     /// <remarks>Retail: Frame::interpolate_rotation @0x00535390.</remarks>
-    public void InterpolateRotation(in Frame from, in Frame to, float t)
+    internal void InterpolateRotation(in Frame from, in Frame to, float t)
     {
         Quaternion a = from.rotation, b = to.rotation;
         double cosine = ((double)a.W * b.W) + ((double)a.X * b.X) + ((double)a.Y * b.Y) + ((double)a.Z * b.Z);
@@ -201,7 +201,7 @@ public struct Frame : IEquatable<Frame>
 
     /// <summary>Faces along <paramref name="direction"/>; a vector too small to have a direction changes nothing.</summary>
     /// <remarks>Retail: Frame::set_vector_heading @0x00535DB0.</remarks>
-    public void SetVectorHeading(Vector3 direction)
+    internal void SetVectorHeading(Vector3 direction)
     {
         if (RetailMath.NormalizeCheckSmall(ref direction)) return;
         // The angles pass as a vector, which holds floats.
@@ -213,7 +213,7 @@ public struct Frame : IEquatable<Frame>
 
     /// <summary>Origins within the tolerance on each axis and quaternions strictly within it; q and -q count as different.</summary>
     /// <remarks>Retail: Frame::is_equal @0x00424C30.</remarks>
-    public static bool NearlyEqual(in Frame a, in Frame b) =>
+    internal static bool NearlyEqual(in Frame a, in Frame b) =>
         RetailMath.NearlyEqual(a.Origin, b.Origin) &&
         Math.Abs((double)a.rotation.W - b.rotation.W) < RetailMath.Epsilon && Math.Abs((double)a.rotation.X - b.rotation.X) < RetailMath.Epsilon &&
         Math.Abs((double)a.rotation.Y - b.rotation.Y) < RetailMath.Epsilon && Math.Abs((double)a.rotation.Z - b.rotation.Z) < RetailMath.Epsilon;

@@ -4,7 +4,7 @@ namespace Surefoot.Physics.Geometry;
 
 /// <summary>On which side of a plane something lies.</summary>
 /// <remarks>Retail: Sidedness.</remarks>
-public enum PlaneSide
+internal enum PlaneSide
 {
     /// <summary>In front: the side the normal points to.</summary>
     Positive = 0,
@@ -20,7 +20,7 @@ public enum PlaneSide
 }
 
 /// <summary>Questions about planes with unit normals, in retail's arithmetic.</summary>
-public static class PlaneQueries
+internal static class PlaneQueries
 {
     /// <summary>Side of a point; <paramref name="tolerance"/> (metres) on either side counts as in the plane.</summary>
     /// <remarks>Retail: Plane::which_side @0x00444720.</remarks>

@@ -7,7 +7,7 @@ namespace Surefoot.Physics.Geometry;
 /// The arithmetic of the retail client: operands are float, intermediates are double, and a value is rounded to float
 /// where it is stored (specification 03, section 3.1). Every vector formula of the engine goes through here.
 /// </summary>
-public static class RetailMath
+internal static class RetailMath
 {
     /// <summary>The tolerance of nearly every comparison, 0.0002 (0x3951B717), in the unit of what is compared.</summary>
     public const float Epsilon = 0.0002f;

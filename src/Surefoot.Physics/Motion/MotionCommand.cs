@@ -63,22 +63,22 @@ public enum MotionCommand : uint
 public static class MotionCommands
 {
     /// <summary>Bit of a style.</summary>
-    public const uint StyleBit = 0x80000000;
+    internal const uint StyleBit = 0x80000000;
 
     /// <summary>Bit of a substate: what a body does until told otherwise.</summary>
-    public const uint SubstateBit = 0x40000000;
+    internal const uint SubstateBit = 0x40000000;
 
     /// <summary>Bit of a modifier: done on top of a substate.</summary>
-    public const uint ModifierBit = 0x20000000;
+    internal const uint ModifierBit = 0x20000000;
 
     /// <summary>Bit of an action: done once.</summary>
-    public const uint ActionBit = 0x10000000;
+    internal const uint ActionBit = 0x10000000;
 
     /// <summary>Bit of emotes of the kind that a style other than <see cref="MotionCommand.NonCombat"/> refuses.</summary>
-    public const uint ChatEmoteBit = 0x02000000;
+    internal const uint ChatEmoteBit = 0x02000000;
 
     /// <summary>The low part that keys of a motion table keep.</summary>
-    public const uint KeyMask = 0x00FFFFFF;
+    internal const uint KeyMask = 0x00FFFFFF;
 
     /// <summary>Is a style.</summary>
     public static bool IsStyle(this MotionCommand motion) => ((uint)motion & StyleBit) != 0;

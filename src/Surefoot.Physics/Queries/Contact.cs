@@ -5,7 +5,9 @@ using Surefoot.Physics.Transitions;
 namespace Surefoot.Physics.Queries;
 
 /// <summary>The plane that a mover touches: what it stands on, or the slope that it slides down.</summary>
-/// <param name="Plane">The plane, its normal of unit length and in world axes; the constant, metres, is in the block frame of <paramref name="CellId"/>.</param>
+/// <param name="Plane">
+/// The plane, its normal of unit length and in world axes; the constant, metres, is in the block frame of <paramref name="CellId"/>.
+/// </param>
 /// <param name="CellId">Cell whose block frame the plane is in.</param>
 /// <param name="IsWater">It is water, in which a mover stands lower than its plane.</param>
 public readonly record struct Contact(Plane Plane, uint CellId, bool IsWater = false)
@@ -18,7 +20,9 @@ public readonly record struct Contact(Plane Plane, uint CellId, bool IsWater = f
 
     internal void ThrowIfBad(string name)
     {
-        if (!RetailMath.IsFinite(Plane.Normal) || !float.IsFinite(Plane.D)) throw new ArgumentException("The contact plane is not finite.", name);
-        if (Math.Abs(RetailMath.LengthSquared(Plane.Normal) - 1.0) > 1e-3) throw new ArgumentException("The normal of the contact plane is not of unit length.", name);
+        if (!RetailMath.IsFinite(Plane.Normal) || !float.IsFinite(Plane.D))
+            throw new ArgumentException("The contact plane is not finite.", name);
+        if (Math.Abs(RetailMath.LengthSquared(Plane.Normal) - 1.0) > 1e-3)
+            throw new ArgumentException("The normal of the contact plane is not of unit length.", name);
     }
 }

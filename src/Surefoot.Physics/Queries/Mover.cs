@@ -6,25 +6,30 @@ using Surefoot.Physics.World;
 namespace Surefoot.Physics.Queries;
 
 /// <summary>
-/// Who is swept or placed by a <see cref="WorldQuery"/>: a shape, a physics state word, and what a server would say of it. Immutable; to be made once and asked
-/// about often, by any number of threads.
+/// Who is swept or placed by a <see cref="WorldQuery"/>: a shape, a physics state word, and what a server would say of it. Immutable; to be
+/// made once and asked about often, by any number of threads.
 /// </summary>
 public sealed class Mover
 {
     /// <summary>A mover has at most this many spheres, as a body has: the first is the foot, the second the head.</summary>
     public const int MaxSpheres = SpherePath.MaxSpheres;
 
-    /// <summary>A mover of the shape that bodies have. Of more than <see cref="MaxSpheres"/> spheres the first ones count, as for bodies.</summary>
+    /// <summary>
+    /// A mover of the shape that bodies have. Of more than <see cref="MaxSpheres"/> spheres the first ones count, as for bodies.
+    /// </summary>
     /// <param name="setup">The shape; one without spheres is a ball of 0.1 m.</param>
     /// <param name="state">Physics state word: edge sliding, missile, ethereal and so on.</param>
     /// <param name="weenie">What a server says of it: players pass players, and so on.</param>
     /// <param name="scale">Uniform scale, more than 0.</param>
-    /// <exception cref="ArgumentException">A sphere or a step height of the shape is not a positive finite number, or the scale is not.</exception>
+    /// <exception cref="ArgumentException">
+    /// A sphere or a step height of the shape is not a positive finite number, or the scale is not.
+    /// </exception>
     public Mover(SetupAsset setup, PhysicsState state = PhysicsState.Default, WeenieTraits weenie = WeenieTraits.None, float scale = 1f)
     {
         ArgumentNullException.ThrowIfNull(setup);
         if (!(scale > 0) || !float.IsFinite(scale)) throw new ArgumentException("The scale is not a positive number.", nameof(scale));
-        foreach (ref readonly Sphere sphere in setup.Spheres[..Math.Min(setup.Spheres.Length, MaxSpheres)]) ThrowIfBad(sphere, nameof(setup));
+        foreach (ref readonly Sphere sphere in setup.Spheres[..Math.Min(setup.Spheres.Length, MaxSpheres)])
+            sphere.ThrowIfBad(nameof(setup));
         if (!float.IsFinite(setup.StepUpHeight) || !float.IsFinite(setup.StepDownHeight))
             throw new ArgumentException("A step height of the shape is not finite.", nameof(setup));
         Object = new WorldObject(0, setup, state & ~PhysicsState.Static) { Weenie = weenie, Scale = scale };
@@ -61,18 +66,10 @@ public sealed class Mover
     /// <summary>The mover as the world sees it: an object that is in no cell.</summary>
     internal WorldObject Object { get; }
 
-    internal static void ThrowIfBad(in Sphere sphere, string name)
-    {
-        if (!RetailMath.IsFinite(sphere.Center)) throw new ArgumentException("The centre of a sphere is not finite.", name);
-        if (!(sphere.Radius > 0) || !float.IsFinite(sphere.Radius))
-            throw new ArgumentException("The radius of a sphere is not a positive finite number.", name);
-    }
-
     private static SetupAsset MakeSetup(ReadOnlySpan<Sphere> spheres, float stepUpHeight, float stepDownHeight)
     {
-        if (spheres.IsEmpty || spheres.Length > MaxSpheres)
-            throw new ArgumentException($"A mover has one or {MaxSpheres} spheres, not {spheres.Length}.", nameof(spheres));
-        if (!(stepUpHeight >= 0) || !(stepDownHeight >= 0)) throw new ArgumentException("A step height is negative or no number.", nameof(stepUpHeight));
-        return new SetupAsset { Spheres = spheres, StepUpHeight = stepUpHeight, StepDownHeight = stepDownHeight };
+        if (spheres.Length > MaxSpheres)
+            throw new ArgumentException($"A mover has at most {MaxSpheres} spheres, not {spheres.Length}.", nameof(spheres));
+        return SetupAsset.OfSpheres(0, spheres, stepUpHeight, stepDownHeight);
     }
 }

@@ -6,7 +6,9 @@ using Surefoot.Physics.Geometry;
 namespace Surefoot.Physics.Queries;
 
 /// <summary>A sphere in a world.</summary>
-/// <param name="CellId">A cell of its landblock, in whose coordinates the sphere is; for a sphere in a room, that room or one near by.</param>
+/// <param name="CellId">
+/// A cell of its landblock, in whose coordinates the sphere is; for a sphere in a room, that room or one near by.
+/// </param>
 /// <param name="Sphere">The sphere, metres, block coordinates.</param>
 public readonly record struct SphereInput(uint CellId, Sphere Sphere)
 {
@@ -22,7 +24,9 @@ public readonly record struct SphereInput(uint CellId, Sphere Sphere)
 public readonly record struct SphereOverlap(bool Overlaps, bool IsLoaded, uint CellId, TraceSubject Subject);
 
 /// <summary>A point in a world.</summary>
-/// <param name="CellId">A cell of its landblock, in whose coordinates the point is; for a point in a room, that room or one near by.</param>
+/// <param name="CellId">
+/// A cell of its landblock, in whose coordinates the point is; for a point in a room, that room or one near by.
+/// </param>
 /// <param name="Point">The point, metres, block coordinates.</param>
 public readonly record struct PointInput(uint CellId, Vector3 Point)
 {

@@ -26,7 +26,9 @@ public readonly record struct ProbeDownInput(Mover Mover, Position From, float D
 /// <param name="IsLoaded">False when the way begins, or ends, where no cell is loaded.</param>
 /// <param name="Position">Where the mover is then; without anything to touch, all the way down.</param>
 /// <param name="Depth">How far down that is, metres; a little less than 0 for one that is lifted out of the ground it begins in.</param>
-/// <param name="Contact">What it rests on; null when nothing was found, or when what stops it is nothing to rest on, such as a creature's head.</param>
+/// <param name="Contact">
+/// What it rests on; null when nothing was found, or when what stops it is nothing to rest on, such as a creature's head.
+/// </param>
 /// <param name="Subject">What that is.</param>
 public readonly record struct ProbeDownResult(
     bool Found, bool IsLoaded, Position Position, float Depth, Contact? Contact, Decisions.TraceSubject Subject);

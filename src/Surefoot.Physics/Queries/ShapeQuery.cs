@@ -18,8 +18,9 @@ public readonly record struct ShapeOverlap(bool Overlaps, int Part, int Polygon,
 }
 
 /// <summary>
-/// Asks shapes that are nowhere in particular: points and spheres against a mesh or a setup at scale 1, in its own frame, metres. Pure functions of immutable
-/// assets. A setup is its parts' collision trees where it has any, in the pose in which objects are made; else its cylinders, which stand upright; else its spheres.
+/// Asks shapes that are nowhere in particular: points and spheres against a mesh or a setup at scale 1, in its own frame, metres. Pure
+/// functions of immutable assets. A setup is its parts' collision trees where it has any, in the pose in which objects are made; else its
+/// cylinders, which stand upright; else its spheres.
 /// </summary>
 public static class ShapeQuery
 {
@@ -100,7 +101,8 @@ public static class ShapeQuery
     }
 
     internal static bool PartContains(WorldObject item, int part, float scale, in Vector3 point) =>
-        item.Setup!.Parts[part].Mesh.Physics is { } tree && tree.PointIntersectsSolid(new Placed(item.PartFrame(part), scale).ToLocal(point));
+        item.Setup!.Parts[part].Mesh.Physics is { } tree &&
+        tree.PointIntersectsSolid(new Placed(item.PartFrame(part), scale).ToLocal(point));
 
     private static int PartCount(SetupAsset setup) => Math.Min(setup.Parts.Length, setup.RestPose.Length);
 
@@ -112,7 +114,8 @@ public static class ShapeQuery
         Sphere local = new(place.ToLocal(sphere.Center), (float)(sphere.Radius / (double)place.Scale));
         if (!CollisionPrimitives.SpheresIntersect(tree.Bounds, local)) return ShapeOverlap.None;
         PolygonContact contact = default;
-        bool runsInto = tree.SphereIntersectsPoly(local, RetailMath.Scale(place.Frame.GlobalToLocalVector(movement), 1.0 / place.Scale), ref contact);
+        Vector3 localMovement = RetailMath.Scale(place.Frame.GlobalToLocalVector(movement), 1.0 / place.Scale);
+        bool runsInto = tree.SphereIntersectsPoly(local, localMovement, ref contact);
         bool overlaps = tree.SphereIntersectsSolid(local, centerCheck: true);
         if (!contact.IsSome) return ShapeOverlap.None with { Overlaps = overlaps, Part = overlaps ? part : -1 };
         Plane plane = tree.Polygons.PlaneOf(contact.Polygon);
@@ -121,14 +124,17 @@ public static class ShapeQuery
         return new ShapeOverlap(overlaps, part, contact.Polygon, runsInto, touched, RetailMath.PlaneThrough(normal, touched));
     }
 
-    /// <summary>Cylinders where there are any, else spheres. A turn of the object moves a cylinder's foot, but does not tilt the cylinder.</summary>
+    /// <summary>
+    /// Cylinders where there are any, else spheres. A turn of the object moves a cylinder's foot, but does not tilt the cylinder.
+    /// </summary>
     private static bool ContainsRound(SetupAsset setup, in Placed place, in Vector3 point)
     {
         foreach (ref readonly CylSphere cylinder in setup.Cylinders)
         {
             Vector3 way = point - place.ToGlobal(cylinder.LowPoint);
             double radius = (double)cylinder.Radius * place.Scale;
-            if (way.Z >= 0 && way.Z <= (double)cylinder.Height * place.Scale && ((double)way.X * way.X) + ((double)way.Y * way.Y) <= radius * radius) return true;
+            bool isLevel = way.Z >= 0 && way.Z <= (double)cylinder.Height * place.Scale;
+            if (isLevel && ((double)way.X * way.X) + ((double)way.Y * way.Y) <= radius * radius) return true;
         }
 
         if (setup.Cylinders.Length > 0) return false;
@@ -147,7 +153,8 @@ public static class ShapeQuery
         foreach (ref readonly CylSphere cylinder in setup.Cylinders)
         {
             float sum = (float)((double)cylinder.Radius - RetailMath.Epsilon + sphere.Radius);
-            if (CollisionPrimitives.CylinderCollidesWithSphere(sphere.Radius, sphere.Center - cylinder.LowPoint, sum, cylinder.Height)) return true;
+            Vector3 offset = sphere.Center - cylinder.LowPoint;
+            if (CollisionPrimitives.CylinderCollidesWithSphere(sphere.Radius, offset, sum, cylinder.Height)) return true;
         }
 
         if (setup.Cylinders.Length > 0) return false;
@@ -167,7 +174,7 @@ public static class ShapeQuery
 
     private static void ThrowIfBad(in Sphere sphere, in Vector3 movement)
     {
-        Mover.ThrowIfBad(sphere, nameof(sphere));
+        sphere.ThrowIfBad(nameof(sphere));
         if (!RetailMath.IsFinite(movement)) throw new ArgumentException("The movement is not finite.", nameof(movement));
     }
 

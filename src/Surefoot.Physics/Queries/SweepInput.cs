@@ -11,7 +11,8 @@ namespace Surefoot.Physics.Queries;
 public readonly record struct SweepInput(Mover Mover, Position From, Position To)
 {
     /// <summary>
-    /// What it touches where it begins; null for a mover in the air, which may land on its way. The result of a sweep has it for the next one.
+    /// What it touches where it begins; null for a mover in the air, which may land on its way. The result of a sweep has it for the next
+    /// one.
     /// </summary>
     public Contact? Contact { get; init; }
 

@@ -14,16 +14,16 @@ namespace Surefoot.Physics.Queries;
 /// <param name="CollidedWithEnvironment">It hit terrain, a building, a room or a static object without standing.</param>
 /// <param name="LosesVelocity">A body that goes there loses its velocity, even when no valid position was found.</param>
 public readonly record struct SweepResult(
-    bool Found, bool IsLoaded, Position Position, Contact? Contact, Vector3? SlidingNormal, Vector3? CollisionNormal, bool CollidedWithEnvironment,
-    bool LosesVelocity)
+    bool Found, bool IsLoaded, Position Position, Contact? Contact, Vector3? SlidingNormal, Vector3? CollisionNormal,
+    bool CollidedWithEnvironment, bool LosesVelocity)
 {
     internal static SweepResult Of(bool found, Transition transition)
     {
         CollisionInfo met = transition.Collision;
         return new SweepResult(
             found, transition.Path.CurrCell is not null, transition.Path.CurrPos, Queries.Contact.Of(met),
-            met.SlidingNormalValid ? met.SlidingNormal : null, met.CollisionNormalValid ? met.CollisionNormal : null, met.CollidedWithEnvironment,
-            met.StopsMover);
+            met.SlidingNormalValid ? met.SlidingNormal : null, met.CollisionNormalValid ? met.CollisionNormal : null,
+            met.CollidedWithEnvironment, met.StopsMover);
     }
 
     /// <summary>The answer where a way begins in no cell that is loaded.</summary>

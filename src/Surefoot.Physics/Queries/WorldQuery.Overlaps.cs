@@ -14,14 +14,14 @@ public sealed partial class WorldQuery
     private readonly WorldObject nobody = new(0, null, PhysicsState.None);
 
     /// <summary>
-    /// What a sphere reaches into: the ground, a room's walls, a building, an object, another body; by the question that a body is placed with. The ethereal
-    /// count for nothing.
+    /// What a sphere reaches into: the ground, a room's walls, a building, an object, another body; by the question that a body is placed
+    /// with. The ethereal count for nothing.
     /// </summary>
     /// <param name="input">The sphere.</param>
     /// <exception cref="ArgumentException">The sphere is not finite, its radius is not positive, or the id cannot name a cell.</exception>
     public SphereOverlap Overlap(in SphereInput input)
     {
-        Mover.ThrowIfBad(input.Sphere, nameof(input));
+        input.Sphere.ThrowIfBad(nameof(input));
         Position place = new(input.CellId, input.Sphere.Center);
         PhysicsBody.ThrowIfBad(place, nameof(input));
         engine.Cells.AdjustPosition(ref place, Vector3.Zero, out ObjCell? cell);
@@ -67,8 +67,10 @@ public sealed partial class WorldQuery
         else if (cell is LandCell land)
         {
             int triangle = land.FindTriangle(point);
-            if (triangle >= 0 && RetailMath.Distance(land.Landblock.Terrain.PlaneOf(triangle), point) < 0) return own with { Polygon = triangle };
-            if (land.Building?.Shell is { PlacedPartCount: > 0 } shell && ShapeQuery.PartContains(shell, 0, shell.Setup!.Parts[0].DefaultScale.Z, point))
+            if (triangle >= 0 && RetailMath.Distance(land.Landblock.Terrain.PlaneOf(triangle), point) < 0)
+                return own with { Polygon = triangle };
+            if (land.Building?.Shell is { PlacedPartCount: > 0 } shell &&
+                ShapeQuery.PartContains(shell, 0, shell.Setup!.Parts[0].DefaultScale.Z, point))
                 return TransitionTrace.SubjectOf(shell, cell.Id) with { Kind = TraceSubjectKind.Building, Part = 0 };
         }
 

@@ -8,13 +8,16 @@ using Surefoot.Physics.World;
 namespace Surefoot.Physics.Queries;
 
 /// <summary>
-/// Asks an engine's world: where a way leads, whether something fits, what is below, what is here. It holds the work objects of one worker, so each thread that
-/// asks makes one of its own (<see cref="PhysicsEngine.CreateQuery"/>) and keeps it. Nothing in the world changes by being asked, and any number of threads may
-/// ask while nobody changes it; a question allocates nothing once the work objects have grown. <c>WorldQuery.Overlaps.cs</c> asks about points and spheres.
+/// Asks an engine's world: where a way leads, whether something fits, what is below, what is here. It holds the work objects of one worker,
+/// so each thread that asks makes one of its own (<see cref="PhysicsEngine.CreateQuery"/>) and keeps it. Nothing in the world changes by
+/// being asked, and any number of threads may ask while nobody changes it; a question allocates nothing once the work objects have grown.
+/// <c>WorldQuery.Overlaps.cs</c> asks about points and spheres.
 /// </summary>
 public sealed partial class WorldQuery
 {
-    /// <summary>Most sub-steps of one question, each as long as the radius of the mover's foot: a longer way is to be asked about in parts.</summary>
+    /// <summary>
+    /// Most sub-steps of one question, each as long as the radius of the mover's foot: a longer way is to be asked about in parts.
+    /// </summary>
     public const int MostSubSteps = 100_000;
 
     /// <summary>A share of the foot's radius that is one sub-step whatever the rounding.</summary>
@@ -45,7 +48,8 @@ public sealed partial class WorldQuery
         ArgumentNullException.ThrowIfNull(input.Mover, nameof(input));
         PhysicsBody.ThrowIfBad(input.From, nameof(input));
         input.Contact?.ThrowIfBad(nameof(input));
-        if (input.SlidingNormal is { } normal && !RetailMath.IsFinite(normal)) throw new ArgumentException("The sliding normal is not finite.", nameof(input));
+        if (input.SlidingNormal is { } normal && !RetailMath.IsFinite(normal))
+            throw new ArgumentException("The sliding normal is not finite.", nameof(input));
         Position from = input.From;
         engine.Cells.AdjustPosition(ref from, TransitionSeeds.FootOf(input.Mover.Object), out ObjCell? cell);
         return Sweep(input.Mover.Object, input.Begin(from), cell, input.To, trace, nameof(input));
@@ -56,29 +60,31 @@ public sealed partial class WorldQuery
     /// <param name="to">Where it wants to go.</param>
     /// <param name="trace">Is told each decision; the body's own <see cref="PhysicsBody.Trace"/> is not.</param>
     /// <exception cref="ArgumentException">
-    /// The body belongs to another engine, the position is not finite or its id cannot name a cell, or the way is longer than <see cref="MostSubSteps"/>.
+    /// The body belongs to another engine, the position is not finite or its id cannot name a cell, or the way is longer than
+    /// <see cref="MostSubSteps"/>.
     /// </exception>
     public SweepResult Sweep(PhysicsBody body, in Position to, TraceBuffer? trace = null)
     {
-        ThrowIfForeign(body);
+        engine.ThrowIfForeign(body);
         return Sweep(body, body.CurrentSeat, body.Cell, to, trace, nameof(to));
     }
 
     /// <summary>
-    /// Where a body of the engine would end if it were in another state and went from there to a place in one sweep: how a server checks a movement that a client
-    /// claims.
+    /// Where a body of the engine would end if it were in another state and went from there to a place in one sweep: how a server checks a
+    /// movement that a client claims.
     /// </summary>
     /// <param name="body">The body; it stays as it is.</param>
     /// <param name="from">The state it begins in.</param>
     /// <param name="to">Where it wants to go.</param>
     /// <param name="trace">Is told each decision; the body's own <see cref="PhysicsBody.Trace"/> is not.</param>
     /// <exception cref="ArgumentException">
-    /// The body belongs to another engine, a position or a number of the state is not finite, an id cannot name a cell, or the way is longer than
+    /// The body belongs to another engine, a position or a number of the state is not finite, an id cannot name a cell, or the way is
+    /// longer than
     /// <see cref="MostSubSteps"/>.
     /// </exception>
     public SweepResult Sweep(PhysicsBody body, in BodySeat from, in Position to, TraceBuffer? trace = null)
     {
-        ThrowIfForeign(body);
+        engine.ThrowIfForeign(body);
         from.ThrowIfBad(nameof(from));
         return Sweep(body, from, engine.Cells.GetVisible(from.Position.CellId), to, trace, nameof(to));
     }
@@ -117,13 +123,15 @@ public sealed partial class WorldQuery
     /// <param name="input">Who, from where, how far.</param>
     /// <param name="trace">Is told each decision.</param>
     /// <exception cref="ArgumentException">
-    /// The position is not finite or its id cannot name a cell, the depth is not a positive finite number or more than <see cref="MostSubSteps"/>.
+    /// The position is not finite or its id cannot name a cell, the depth is not a positive finite number or more than
+    /// <see cref="MostSubSteps"/>.
     /// </exception>
     public ProbeDownResult ProbeDown(in ProbeDownInput input, TraceBuffer? trace = null)
     {
         ArgumentNullException.ThrowIfNull(input.Mover, nameof(input));
         PhysicsBody.ThrowIfBad(input.From, nameof(input));
-        if (!(input.Depth > 0) || !float.IsFinite(input.Depth)) throw new ArgumentException("The depth is not a positive finite number.", nameof(input));
+        if (!(input.Depth > 0) || !float.IsFinite(input.Depth))
+            throw new ArgumentException("The depth is not a positive finite number.", nameof(input));
         WorldObject mover = input.Mover.Object;
         Position at = input.From;
         engine.Cells.AdjustPosition(ref at, TransitionSeeds.FootOf(mover), out ObjCell? cell);
@@ -143,7 +151,8 @@ public sealed partial class WorldQuery
                 below.Frame.Origin.Z -= Math.Min(left, step);
                 if (below.Frame.Origin.Z == at.Frame.Origin.Z) break;
                 transition.Reset();
-                bool found = transition.Sweep(mover, new BodySeat(at, Vector3.Zero, TransientState.None, default, 0, Vector3.Zero), cell, below);
+                BodySeat falling = new(at, Vector3.Zero, TransientState.None, default, 0, Vector3.Zero);
+                bool found = transition.Sweep(mover, falling, cell, below);
                 (at, cell) = (transition.Path.CurrPos, transition.Path.CurrCell);
                 Contact? contact = Contact.Of(transition.Collision);
                 bool stopped = !found || contact is not null || transition.Collision.CollisionNormalValid;
@@ -191,12 +200,6 @@ public sealed partial class WorldQuery
         }
 
         return TraceSubject.None;
-    }
-
-    private void ThrowIfForeign(PhysicsBody body)
-    {
-        ArgumentNullException.ThrowIfNull(body);
-        if (!ReferenceEquals(body.Engine, engine)) throw new ArgumentException("The body belongs to another engine.", nameof(body));
     }
 
     private static void ThrowIfTooMany(double subSteps, string name)

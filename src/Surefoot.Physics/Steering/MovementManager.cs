@@ -1,16 +1,14 @@
 using Surefoot.Physics.Bodies;
-using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
 
 namespace Surefoot.Physics.Steering;
 
 /// <summary>
 /// The movement side of a body: its interpreter, its animations, and its move-to manager, which is made with the first order that needs it.
-/// What the body tells is
-/// passed on here; what a server says has a file of its own, <c>Orders</c>.
+/// What the body tells and what a server says have files of their own, <c>Body</c> and <c>Orders</c>.
 /// </summary>
 /// <remarks>Retail: MovementManager together with the motion side of CPartArray; specification 09b, 3.</remarks>
-public sealed partial class MovementManager : IBodyMovement
+public sealed partial class MovementManager
 {
     private readonly IMotionBody body;
     private readonly PhysicsBody? steered;
@@ -25,7 +23,7 @@ public sealed partial class MovementManager : IBodyMovement
     /// Retail: CPhysicsObj::SetMotionTableID @0x00512780. What makes the interpreter puts it into its default state, and
     /// MovementManager::EnterDefaultState @0x005241C0 does so again: what is pending at first is so twice.
     /// </remarks>
-    public MovementManager(IMotionBody body, MotionTableAsset? table, IWeenieObj? weenie)
+    internal MovementManager(IMotionBody body, MotionTableAsset? table, IWeenieObj? weenie)
     {
         ArgumentNullException.ThrowIfNull(body);
         this.body = body;
@@ -40,11 +38,20 @@ public sealed partial class MovementManager : IBodyMovement
     public MotionTableManager? Animation { get; }
 
     /// <summary>There is an interpreter; without one the body ignores what servers say of its motions.</summary>
-    public bool HasInterpreter => interpreter is not null;
+    internal bool HasInterpreter => interpreter is not null;
 
     /// <summary>The interpreter. A body without one gets it by being asked, in its default state.</summary>
     /// <remarks>Retail: MovementManager::get_minterp @0x005242A0.</remarks>
-    public MotionInterpreter Interpreter => interpreter ?? MakeInterpreter();
+    internal MotionInterpreter Interpreter => interpreter ?? MakeInterpreter();
+
+    /// <summary>What the body is asked to do now; standing still as long as it has no interpreter.</summary>
+    public MotionSummary Motions => interpreter is null ? MotionSummary.Standing : MotionSummary.Of(interpreter.Interpreted);
+
+    /// <summary>How much faster than 4 m/s it runs, as the game says now; 1 as long as it has no interpreter.</summary>
+    public float RunRate => interpreter?.RunRate ?? 1f;
+
+    /// <summary>It crouches to jump as far as it can: no other motion is done until it has.</summary>
+    public bool StandingLongJump => interpreter is { StandingLongJump: true };
 
     /// <summary>Motions wait to be done.</summary>
     /// <remarks>Retail: MovementManager::motions_pending @0x00524280.</remarks>
@@ -65,7 +72,7 @@ public sealed partial class MovementManager : IBodyMovement
     /// <remarks>
     /// Retail: MovementManager::PerformMovement @0x005240D0; its other four kinds are <see cref="MoveToObject"/> and its neighbours.
     /// </remarks>
-    public MotionError PerformMovement(MovementKind kind, MotionCommand motion, in MovementParameters parameters)
+    internal MotionError PerformMovement(MovementKind kind, MotionCommand motion, in MovementParameters parameters)
     {
         MotionInterpreter.ThrowIfNotFinite(parameters.Speed, nameof(parameters));
         steered?.SetActive(true);
@@ -103,46 +110,6 @@ public sealed partial class MovementManager : IBodyMovement
     /// <inheritdoc/>
     /// <remarks>Retail: MovementManager::CancelMoveTo @0x005241B0.</remarks>
     public void CancelMoveTo() => MoveTo?.Cancel(MotionError.Cancelled);
-
-    /// <inheritdoc/>
-    /// <remarks>Retail: MovementManager::HitGround @0x00524300.</remarks>
-    public void HitGround()
-    {
-        interpreter?.HitGround();
-        MoveTo?.HitGround();
-    }
-
-    /// <inheritdoc/>
-    /// <remarks>Retail: MovementManager::LeaveGround @0x00524320. A move-to goes on when the body is back on the ground.</remarks>
-    public void LeaveGround() => interpreter?.LeaveGround();
-
-    /// <inheritdoc/>
-    public void AccumulateRootMotion(float quantum, ref Frame offset) => Animation?.Update(quantum, ref offset);
-
-    /// <inheritdoc/>
-    public void ProcessHooks(PhysicsBody owner) => Animation?.ProcessHooks(owner);
-
-    /// <inheritdoc/>
-    public ReadOnlySpan<Frame> PartFrames => Animation is null ? [] : Animation.Sequence.PartFrames;
-
-    /// <inheritdoc/>
-    /// <remarks>Retail: MovementManager::UseTime @0x005242F0, then CPartArray::HandleMovement.</remarks>
-    public void UseTime()
-    {
-        MoveTo?.UseTime();
-        Animation?.CheckForCompletedMotions();
-    }
-
-    /// <inheritdoc/>
-    public void HandleEnterWorld() => Animation?.HandleEnterWorld();
-
-    /// <inheritdoc/>
-    /// <remarks>Retail: MovementManager::HandleExitWorld @0x00524350, after that of the part array.</remarks>
-    public void HandleExitWorld()
-    {
-        Animation?.HandleExitWorld();
-        interpreter?.HandleExitWorld();
-    }
 
     internal void OnMoveToEnded(MotionError error) => LastMoveToError = error;
 

@@ -7,7 +7,7 @@ namespace Surefoot.Physics.Transitions;
 
 /// <summary>What a transition met: contact plane, sliding normal, collision normal, objects.</summary>
 /// <remarks>Retail: COLLISIONINFO.</remarks>
-public sealed class CollisionInfo
+internal sealed class CollisionInfo
 {
     private WorldObject[] objects = new WorldObject[8];
 

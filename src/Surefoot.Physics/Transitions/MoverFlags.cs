@@ -1,7 +1,7 @@
 namespace Surefoot.Physics.Transitions;
 
 /// <summary>What a sphere path is for.</summary>
-public enum InsertType
+internal enum InsertType
 {
     /// <summary>A body moves.</summary>
     Transition = 0,
@@ -15,7 +15,7 @@ public enum InsertType
 
 /// <summary>Who moves, as bits (retail: OBJECTINFO::state).</summary>
 [Flags]
-public enum MoverFlags
+internal enum MoverFlags
 {
     /// <summary>Nothing special.</summary>
     None = 0,

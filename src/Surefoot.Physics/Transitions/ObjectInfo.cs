@@ -9,7 +9,7 @@ namespace Surefoot.Physics.Transitions;
 /// nor written until the sweep is over.
 /// </summary>
 /// <remarks>Retail: OBJECTINFO.</remarks>
-public sealed class ObjectInfo
+internal sealed class ObjectInfo
 {
     /// <summary>Whose sweep it is, so that nobody runs into himself; null before a transition was given one.</summary>
     public WorldObject? Mover { get; private set; }

@@ -10,7 +10,7 @@ namespace Surefoot.Physics.Transitions;
 /// attempt is for.
 /// </summary>
 /// <remarks>Retail: SPHEREPATH. Fields keep retail's meaning; specification 03, 2.4, has the table.</remarks>
-public sealed class SpherePath
+internal sealed class SpherePath
 {
     /// <summary>A body has at most this many spheres.</summary>
     public const int MaxSpheres = 2;

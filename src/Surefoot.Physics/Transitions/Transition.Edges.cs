@@ -5,7 +5,7 @@ using Surefoot.Physics.Geometry;
 namespace Surefoot.Physics.Transitions;
 
 /// <content>Where the floor ends: walking off, sliding along the edge, sliding along a cliff.</content>
-public sealed partial class Transition
+internal sealed partial class Transition
 {
     /// <summary>The body stood and found no floor within reach. True ends the insertion with <paramref name="state"/>.</summary>
     /// <remarks>Retail: CTransition::edge_slide @0x0050B3D0. In each case the position is restored before the slide, which therefore survives.</remarks>

@@ -5,7 +5,7 @@ using Surefoot.Physics.World;
 namespace Surefoot.Physics.Transitions;
 
 /// <content>Trying one position: the cells' answers, and what follows when they all say OK.</content>
-public sealed partial class Transition
+internal sealed partial class Transition
 {
     private const int AttemptsPerStep = 3;
     private const int AttemptsPerProbe = 5;

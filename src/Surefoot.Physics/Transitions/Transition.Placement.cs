@@ -6,7 +6,7 @@ using Surefoot.Physics.World;
 namespace Surefoot.Physics.Transitions;
 
 /// <content>Putting a body somewhere.</content>
-public sealed partial class Transition
+internal sealed partial class Transition
 {
     /// <summary>
     /// Puts the body at the requested position, or, where sliding is allowed, at the first free one of the rings around it; then sets it on the

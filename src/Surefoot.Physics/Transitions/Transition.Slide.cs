@@ -5,7 +5,7 @@ using Surefoot.Physics.Geometry;
 namespace Surefoot.Physics.Transitions;
 
 /// <content>Along a wall.</content>
-public sealed partial class Transition
+internal sealed partial class Transition
 {
     /// <summary>
     /// Removes from the step the part along <paramref name="normal"/>, so that what is left runs along the crease between obstacle and

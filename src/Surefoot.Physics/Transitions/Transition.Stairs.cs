@@ -6,7 +6,7 @@ using Surefoot.Physics.World;
 namespace Surefoot.Physics.Transitions;
 
 /// <content>Stairs, up and down.</content>
-public sealed partial class Transition
+internal sealed partial class Transition
 {
     /// <summary>Why the last probe found no footing, for whoever listens.</summary>
     private TraceReason probeRefusal;

@@ -6,7 +6,7 @@ using Surefoot.Physics.World;
 namespace Surefoot.Physics.Transitions;
 
 /// <content>How a sweep is cut into steps, and how each step is bent before it is tried.</content>
-public sealed partial class Transition
+internal sealed partial class Transition
 {
     /// <summary>The steps of a sweep: how many, each how far, and the whole.</summary>
     internal readonly record struct StepPlan(int Count, Vector3 PerStep, Vector3 Offset, double Distance);

@@ -6,7 +6,7 @@ using Surefoot.Physics.World;
 namespace Surefoot.Physics.Transitions;
 
 /// <content>Accepting a step or taking it back, and what the body stands on afterwards.</content>
-public sealed partial class Transition
+internal sealed partial class Transition
 {
     /// <summary>
     /// Accepts the check position or undoes it, then settles contact, the count of steps without progress and the wall to slide

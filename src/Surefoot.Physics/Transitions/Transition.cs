@@ -12,7 +12,7 @@ namespace Surefoot.Physics.Transitions;
 /// <remarks>
 /// Retail: CTransition; specification 03. This file is the sweep itself; each response has a file of its own.
 /// </remarks>
-public sealed partial class Transition
+internal sealed partial class Transition
 {
     /// <summary>A work object for a world.</summary>
     public Transition(ICellWorld world)

@@ -19,7 +19,7 @@ public sealed class BuildingObject
     public StaticObject Shell { get; }
 
     /// <summary>Its ways in.</summary>
-    public ReadOnlySpan<BuildingPortal> Portals => portals;
+    internal ReadOnlySpan<BuildingPortal> Portals => portals;
 
     /// <remarks>Retail: CBuildingObj::find_building_transit_cells @0x006B5230.</remarks>
     internal void FindTransitCells(ICellWorld world, ReadOnlySpan<Sphere> spheres, CellArray array, SpherePath? path)
@@ -40,4 +40,4 @@ public sealed class BuildingObject
 /// <param name="OtherCellId">Full id of the room behind it.</param>
 /// <param name="OtherPortal">Index of that room's portal; negative lets nobody in.</param>
 /// <remarks>Retail: CBldPortal.</remarks>
-public readonly record struct BuildingPortal(uint OtherCellId, short OtherPortal);
+internal readonly record struct BuildingPortal(uint OtherCellId, short OtherPortal);

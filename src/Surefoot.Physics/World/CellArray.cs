@@ -2,7 +2,7 @@ namespace Surefoot.Physics.World;
 
 /// <summary>The ordered list of cells that a sphere path reaches; cells are tested in this order.</summary>
 /// <remarks>Retail: CELLARRAY.</remarks>
-public sealed class CellArray
+internal sealed class CellArray
 {
     private Entry[] entries = new Entry[16];
 

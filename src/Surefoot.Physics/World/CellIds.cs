@@ -37,19 +37,19 @@ public static class CellIds
     }
 
     /// <summary>Id of the block's terrain record, 0xXXYYFFFF.</summary>
-    public static uint LandblockRecord(uint cellId) => cellId | 0xFFFF;
+    internal static uint LandblockRecord(uint cellId) => cellId | 0xFFFF;
 
     /// <summary>Id of the block's record of buildings and objects, 0xXXYYFFFE.</summary>
-    public static uint LandblockInfoRecord(uint cellId) => BlockOf(cellId) | 0xFFFE;
+    internal static uint LandblockInfoRecord(uint cellId) => BlockOf(cellId) | 0xFFFE;
 
     /// <summary>True for global cell coordinates on the map.</summary>
     /// <remarks>Retail: LandDefs::in_bounds @0x0043D650.</remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool IsOnMap(int x, int y) => (uint)x < MapCells && (uint)y < MapCells;
+    internal static bool IsOnMap(int x, int y) => (uint)x < MapCells && (uint)y < MapCells;
 
     /// <summary>Global cell coordinates of the south-west land cell of an id's block; false for the id 0 and outside the map.</summary>
     /// <remarks>Retail: LandDefs::blockid_to_lcoord @0x0043D680.</remarks>
-    public static bool TryBlockCorner(uint cellId, out int x, out int y)
+    internal static bool TryBlockCorner(uint cellId, out int x, out int y)
     {
         x = (int)((cellId >> 21) & 0x7F8);
         y = (int)((cellId >> 13) & 0x7F8);
@@ -78,13 +78,13 @@ public static class CellIds
 
     /// <summary>Index of a land cell inside its block, 0..63: eight times the column plus the row.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int LandIndex(uint cellId) => (int)(cellId & 0xFFFF) - 1;
+    internal static int LandIndex(uint cellId) => (int)(cellId & 0xFFFF) - 1;
 
     /// <summary>Is a sphere over the block that its coordinates belong to?</summary>
     /// <param name="point">Centre, block coordinates, metres.</param>
     /// <param name="radius">Radius, metres.</param>
     /// <remarks>Retail: LandDefs::within_block @0x0050E800.</remarks>
-    public static bool IsWithinBlock(in Vector3 point, float radius) =>
+    internal static bool IsWithinBlock(in Vector3 point, float radius) =>
         point.X >= radius && point.Y >= radius && point.X < (double)BlockSize - radius && point.Y < (double)BlockSize - radius;
 
     /// <summary>Id of the land cell at global cell coordinates, 0 outside the map.</summary>

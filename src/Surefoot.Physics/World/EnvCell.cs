@@ -34,13 +34,16 @@ public sealed class EnvCell : ObjCell
     public override bool SeenOutside => seenOutside;
 
     /// <inheritdoc/>
-    public override ReadOnlySpan<uint> StabList => stabList;
+    internal override ReadOnlySpan<uint> StabList => stabList;
 
     /// <summary>Its ways out.</summary>
-    public ReadOnlySpan<PortalPlane> Portals => portals;
+    internal ReadOnlySpan<PortalPlane> Portals => portals;
+
+    /// <summary>Its walls, floors and ceilings, in its own frame. Shared.</summary>
+    public PolygonSet Polygons => Shape.Physics.Polygons;
 
     /// <summary>Its shape, in its own frame: the space it contains, its walls and floors. Shared.</summary>
-    public CellStructAsset Shape { get; }
+    internal CellStructAsset Shape { get; }
 
     /// <summary>A sealed room, without any portal, contains nothing.</summary>
     /// <inheritdoc/>

@@ -4,7 +4,7 @@ using Surefoot.Physics.Transitions;
 namespace Surefoot.Physics.World;
 
 /// <summary>What a transition asks of the world it moves through.</summary>
-public interface ICellWorld
+internal interface ICellWorld
 {
     /// <summary>What the world does without because its record is missing or cannot be read.</summary>
     LeftOutList LeftOut { get; }

@@ -8,7 +8,7 @@ namespace Surefoot.Physics.World;
 
 /// <summary>A square of land, 24 m by 24 m.</summary>
 /// <remarks>Retail: CLandCell, CSortCell.</remarks>
-public sealed class LandCell : ObjCell
+internal sealed class LandCell : ObjCell
 {
     private readonly Landblock block;
     private readonly int index;

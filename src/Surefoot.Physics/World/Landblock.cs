@@ -26,7 +26,7 @@ public sealed class Landblock
     public TerrainSurface Terrain { get; }
 
     /// <summary>The 64 squares of land, index 8·column + row.</summary>
-    public ReadOnlySpan<LandCell> LandCells => land;
+    internal ReadOnlySpan<LandCell> LandCells => land;
 
     /// <summary>The rooms, ascending by id; those that are left out are not among them.</summary>
     public ReadOnlySpan<EnvCell> Rooms => rooms;

@@ -14,13 +14,13 @@ public abstract partial class ObjCell
     private int staticCount;
 
     /// <summary>Number of objects listed.</summary>
-    public int ShadowCount { get; private set; }
+    internal int ShadowCount { get; private set; }
 
     /// <summary>
     /// An object listed here. Statics come first, in the fixed order of <see cref="StaticObject.Order"/>; bodies follow in the order of coming, disturbed by
     /// retail's way of removing: the last one takes the free slot. The order is observable, because a test ends at the first obstacle.
     /// </summary>
-    public WorldObject ShadowAt(int index) => shadows[index].Object;
+    internal WorldObject ShadowAt(int index) => shadows[index].Object;
 
     /// <summary>Tests the objects in this cell; the first one that is in the way ends it.</summary>
     /// <remarks>Retail: CObjCell::find_obj_collisions @0x0052B750.</remarks>

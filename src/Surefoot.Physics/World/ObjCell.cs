@@ -10,7 +10,7 @@ namespace Surefoot.Physics.World;
 public abstract partial class ObjCell
 {
     /// <summary>A cell with this id.</summary>
-    protected ObjCell(uint id) => Id = id;
+    private protected ObjCell(uint id) => Id = id;
 
     /// <summary>Cell id.</summary>
     public uint Id { get; }
@@ -25,7 +25,7 @@ public abstract partial class ObjCell
     public virtual bool SeenOutside => false;
 
     /// <summary>Full ids of the cells that may be seen from here.</summary>
-    public virtual ReadOnlySpan<uint> StabList => [];
+    internal virtual ReadOnlySpan<uint> StabList => [];
 
     /// <summary>Id of the object that decides who enters; 0 when anybody may.</summary>
     public uint RestrictionObject { get; internal set; }

@@ -14,11 +14,9 @@ public sealed partial class PhysicsWorld
 
     private CrossCells CrossCells => crossCells ??= new CrossCells(this);
 
-    /// <inheritdoc/>
-    public void PlaceShadows(WorldObject item, CellArray cells)
+    /// <inheritdoc cref="ICellWorld.PlaceShadows"/>
+    internal void PlaceShadows(WorldObject item, CellArray cells)
     {
-        ArgumentNullException.ThrowIfNull(item);
-        ArgumentNullException.ThrowIfNull(cells);
         ClearShadows(item);
         AddShadows(item, cells);
     }
@@ -48,19 +46,18 @@ public sealed partial class PhysicsWorld
         for (int i = 0; i < item.HeldCount; i++) ClearShadows(item.HeldAt(i));
     }
 
-    /// <inheritdoc/>
-    public void RemoveShadows(WorldObject item)
+    void ICellWorld.RemoveShadows(WorldObject item) => RemoveShadows(item);
+
+    /// <inheritdoc cref="ICellWorld.RemoveShadows"/>
+    internal void RemoveShadows(WorldObject item)
     {
-        ArgumentNullException.ThrowIfNull(item);
         item.ClearShadows();
         waiting.Remove(item);
         for (int i = 0; i < item.HeldCount; i++) RemoveShadows(item.HeldAt(i));
     }
 
-    /// <inheritdoc/>
-    public bool AnyOverlaps(WorldObject item)
+    bool ICellWorld.AnyOverlaps(WorldObject item)
     {
-        ArgumentNullException.ThrowIfNull(item);
         for (int i = 0; i < item.ShadowCount; i++)
         {
             if (item.Shadows[i].Cell is not { } cell) continue;
@@ -74,10 +71,13 @@ public sealed partial class PhysicsWorld
         return false;
     }
 
-    /// <inheritdoc/>
-    public void CalcCrossCells(WorldObject item)
+    void ICellWorld.PlaceShadows(WorldObject item, CellArray cells) => PlaceShadows(item, cells);
+
+    void ICellWorld.CalcCrossCells(WorldObject item) => CalcCrossCells(item);
+
+    /// <inheritdoc cref="ICellWorld.CalcCrossCells"/>
+    internal void CalcCrossCells(WorldObject item)
     {
-        ArgumentNullException.ThrowIfNull(item);
         CrossCells.Find(item);
         PlaceShadows(item, CrossCells.Cells);
     }

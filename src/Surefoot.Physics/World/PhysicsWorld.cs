@@ -63,13 +63,11 @@ public sealed partial class PhysicsWorld : ICellWorld
         return true;
     }
 
-    /// <inheritdoc/>
-    public void FindCellList(CellArray array, SpherePath path, bool wantHome, ref ObjCell? home)
-    {
-        ArgumentNullException.ThrowIfNull(array);
-        ArgumentNullException.ThrowIfNull(path);
+    void ICellWorld.FindCellList(CellArray array, SpherePath path, bool wantHome, ref ObjCell? home) => FindCellList(array, path, wantHome, ref home);
+
+    /// <inheritdoc cref="ICellWorld.FindCellList"/>
+    internal void FindCellList(CellArray array, SpherePath path, bool wantHome, ref ObjCell? home) =>
         FindCellList(array, path.CheckPos, path.CheckSpheres, path, wantHome, ref home);
-    }
 
     /// <summary>
     /// Rebuilds a list around spheres: the owner's cell, or the squares of land under the spheres, and every cell they reach from there. The home is the first

@@ -12,7 +12,7 @@ namespace Surefoot.Physics.World;
 /// Retail: CCellPortal. The polygon itself takes no part in movement: a sphere anywhere along the plane of a portal to the outdoors, inside the
 /// room, brings in the outdoors.
 /// </remarks>
-public readonly record struct PortalPlane(Plane Plane, bool NormalPointsOut, uint OtherCellId, short OtherPortal)
+internal readonly record struct PortalPlane(Plane Plane, bool NormalPointsOut, uint OtherCellId, short OtherPortal)
 {
     /// <summary>What <see cref="OtherCellId"/> is where a portal opens to the outdoors.</summary>
     public const uint Outdoors = 0xFFFFFFFF;

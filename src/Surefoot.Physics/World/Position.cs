@@ -73,7 +73,7 @@ public struct Position : IEquatable<Position>
     /// <param name="otherRadius">Its radius.</param>
     /// <param name="otherHeight">Its height.</param>
     /// <remarks>Retail: Position::cylinder_distance @0x005A97F0.</remarks>
-    public readonly double CylinderDistance(float radius, float height, in Position other, float otherRadius, float otherHeight)
+    internal readonly double CylinderDistance(float radius, float height, in Position other, float otherRadius, float otherHeight)
     {
         float reach = (float)CylinderDistanceIgnoringHeight(radius, other, otherRadius);
         double z = Frame.Origin.Z, otherZ = other.Frame.Origin.Z;
@@ -85,7 +85,7 @@ public struct Position : IEquatable<Position>
 
     /// <summary>Distance between origins less both radii, metres.</summary>
     /// <remarks>Retail: Position::cylinder_distance_no_z @0x005A98B0.</remarks>
-    public readonly double CylinderDistanceIgnoringHeight(float radius, in Position other, float otherRadius) =>
+    internal readonly double CylinderDistanceIgnoringHeight(float radius, in Position other, float otherRadius) =>
         DistanceTo(other) - ((double)radius + otherRadius);
 
     /// <summary>
@@ -93,7 +93,7 @@ public struct Position : IEquatable<Position>
     /// <paramref name="height"/>: low 4, middle 2, high 1.
     /// </summary>
     /// <remarks>Retail: Position::determine_quadrant @0x005A9580.</remarks>
-    public readonly int QuadrantOf(in Position other, float height)
+    internal readonly int QuadrantOf(in Position other, float height)
     {
         Vector3 local = LocalToLocal(other, Vector3.Zero);
         int third = height * 0.333333333 <= local.Z ? height * 0.66666667 <= local.Z ? 1 : 2 : 4;
@@ -111,7 +111,7 @@ public struct Position : IEquatable<Position>
 
     /// <summary>A point of <paramref name="other"/>'s local frame in this position's local frame.</summary>
     /// <remarks>Retail: Position::localtolocal @0x004527F0.</remarks>
-    public readonly Vector3 LocalToLocal(in Position other, in Vector3 point) => Frame.GlobalToLocal(LocalToGlobal(other, point));
+    internal readonly Vector3 LocalToLocal(in Position other, in Vector3 point) => Frame.GlobalToLocal(LocalToGlobal(other, point));
 
     /// <summary>The frame of <paramref name="other"/> seen from inside this one: combined with this one it gives the other.</summary>
     /// <remarks>Retail: Position::subtract2 @0x00555A90.</remarks>
@@ -124,7 +124,7 @@ public struct Position : IEquatable<Position>
 
     /// <summary>A plane of <paramref name="other"/>'s local frame in this position's block coordinates.</summary>
     /// <remarks>Retail: Plane::localtoglobal @0x005AA0A0; the constant of a scaled obstacle is multiplied by the caller.</remarks>
-    public readonly Plane LocalToGlobal(in Position other, in Plane plane)
+    internal readonly Plane LocalToGlobal(in Position other, in Plane plane)
     {
         Vector3 normal = other.Frame.LocalToGlobalVector(plane.Normal);
         Vector3 point = LocalToGlobal(other, RetailMath.Scale(plane.Normal, -plane.D));

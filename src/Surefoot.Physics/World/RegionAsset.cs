@@ -9,7 +9,7 @@ namespace Surefoot.Physics.World;
 public sealed class RegionAsset
 {
     /// <summary>Greatest height of the ground, metres: 1000 for the sky less 200 for objects.</summary>
-    public const float MaxHeight = 800f;
+    internal const float MaxHeight = 800f;
 
     private readonly float[] heights = new float[Region.HeightCount];
     private readonly uint[][][] scenes = [];
@@ -18,7 +18,7 @@ public sealed class RegionAsset
 
     /// <summary>A region without scenery.</summary>
     /// <param name="heightTable">Up to 256 heights, metres; see <see cref="HeightTable"/>.</param>
-    public RegionAsset(ReadOnlySpan<float> heightTable)
+    internal RegionAsset(ReadOnlySpan<float> heightTable)
     {
         for (int i = 0; i < Math.Min(heights.Length, heightTable.Length) && heightTable[i] is >= 0 and <= MaxHeight; i++) heights[i] = heightTable[i];
     }
@@ -26,7 +26,7 @@ public sealed class RegionAsset
     /// <summary>A region with the scenery of a record.</summary>
     /// <param name="record">The region.</param>
     /// <param name="source">Where the scenes come from.</param>
-    public RegionAsset(Region record, IDatSource source)
+    internal RegionAsset(Region record, IDatSource source)
         : this(NotNull(record).HeightTable.AsSpan())
     {
         this.source = source;

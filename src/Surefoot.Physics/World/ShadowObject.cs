@@ -2,7 +2,7 @@ namespace Surefoot.Physics.World;
 
 /// <summary>One entry of an object in the collision list of a cell.</summary>
 /// <remarks>Retail: CShadowObj.</remarks>
-public struct ShadowObject
+internal struct ShadowObject
 {
     /// <summary>The cell, null while it is not loaded.</summary>
     public ObjCell? Cell { get; internal set; }

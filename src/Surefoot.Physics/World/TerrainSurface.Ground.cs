@@ -29,19 +29,19 @@ public sealed partial class TerrainSurface
     public WaterType BlockWaterType { get; }
 
     /// <summary>The terrain word of a vertex.</summary>
-    public ushort WordOf(int column, int row) => words[(VerticesPerSide * column) + row];
+    internal ushort WordOf(int column, int row) => words[(VerticesPerSide * column) + row];
 
     /// <summary>Terrain type of a word, 0 to 31.</summary>
-    public static int TypeOf(ushort word) => (word >> 2) & 31;
+    internal static int TypeOf(ushort word) => (word >> 2) & 31;
 
     /// <summary>Scenery type of a word, 0 to 31.</summary>
-    public static int SceneryOf(ushort word) => word >> 11;
+    internal static int SceneryOf(ushort word) => word >> 11;
 
     /// <summary>Road of a word; 0 is none.</summary>
-    public static int RoadOf(ushort word) => word & 3;
+    internal static int RoadOf(ushort word) => word & 3;
 
     /// <summary>Terrain types 16 to 20 are water, from running water to deep sea.</summary>
-    public static bool IsWaterType(int type) => type is >= 16 and <= 20;
+    internal static bool IsWaterType(int type) => type is >= 16 and <= 20;
 
     /// <summary>Water of a cell.</summary>
     /// <param name="cell">Index of the cell, 0 to 63.</param>
@@ -51,7 +51,7 @@ public sealed partial class TerrainSurface
     /// <param name="cell">Index of the cell, 0 to 63.</param>
     /// <param name="point">The point; only x and y count.</param>
     /// <remarks>Retail: CObjCell::get_water_depth @0x0052B8A0, CLandBlockStruct::calc_water_depth @0x005315F0.</remarks>
-    public float WaterDepth(int cell, in Vector3 point) => water[cell] switch
+    internal float WaterDepth(int cell, in Vector3 point) => water[cell] switch
     {
         WaterType.None => 0f,
         WaterType.Entirely => OpenWaterDepth,
@@ -60,11 +60,11 @@ public sealed partial class TerrainSurface
 
     /// <summary>Terrain type, 0 to 31, of the corner of a cell that a point belongs to.</summary>
     /// <remarks>Retail: CLandBlock::get_terrain @0x0052FB70.</remarks>
-    public int TerrainTypeAt(int cell, in Vector3 point) => TypeOf(words[NearestCorner(cell, point)]);
+    internal int TerrainTypeAt(int cell, in Vector3 point) => TypeOf(words[NearestCorner(cell, point)]);
 
     /// <summary>Is a point of the block on a road? Roads keep scenery away and nothing else.</summary>
     /// <remarks>Retail: CLandBlock::on_road @0x0052FFF0.</remarks>
-    public bool IsOnRoad(in Vector3 point)
+    internal bool IsOnRoad(in Vector3 point)
     {
         double column = Math.Floor(point.X / (double)CellIds.CellSize), row = Math.Floor(point.Y / (double)CellIds.CellSize);
         if (!(column is >= 0 and < CellsPerSide && row is >= 0 and < CellsPerSide)) return false;

@@ -64,7 +64,7 @@ public sealed partial class TerrainSurface
 
     /// <summary>How the cell at global cell coordinates is cut: true from south-west to north-east, false from south-east to north-west.</summary>
     /// <remarks>Retail: CLandBlockStruct::ConstructPolygons @0x00531D10. All arithmetic wraps at 32 bits; the top bit decides.</remarks>
-    public static bool IsCutSouthWestToNorthEast(uint x, uint y) => SplitHash(x, y) >> 31 != 0;
+    internal static bool IsCutSouthWestToNorthEast(uint x, uint y) => SplitHash(x, y) >> 31 != 0;
 
     /// <summary>The pseudo-random number that decides how a cell is cut.</summary>
     internal static uint SplitHash(uint x, uint y) =>
@@ -95,7 +95,7 @@ public sealed partial class TerrainSurface
     /// in both.
     /// </summary>
     /// <remarks>Retail: CLandCell::find_terrain_poly @0x00532CF0.</remarks>
-    public int FindTriangle(int cell, in Vector3 point)
+    internal int FindTriangle(int cell, in Vector3 point)
     {
         if (IsOver(2 * cell, point)) return 2 * cell;
         return IsOver((2 * cell) + 1, point) ? (2 * cell) + 1 : -1;

@@ -7,10 +7,10 @@ public partial class WorldObject
     internal ShadowObject[] Shadows = [];
 
     /// <summary>Number of cells that list the object, loaded or not.</summary>
-    public int ShadowCount { get; internal set; }
+    internal int ShadowCount { get; set; }
 
     /// <summary>A cell that lists the object.</summary>
-    public ShadowObject ShadowAt(int index) => Shadows[index];
+    internal ShadowObject ShadowAt(int index) => Shadows[index];
 
     /// <summary>It is in a cell, has shadows, and every one of them has a cell.</summary>
     /// <remarks>Retail: CPhysicsObj::is_completely_visible @0x005112C0.</remarks>

@@ -12,7 +12,7 @@ public partial class WorldObject
     /// <param name="setup">Its shape; null for an object without parts.</param>
     /// <param name="state">Physics state word; its <see cref="PhysicsState.HasPhysicsBsp"/> is replaced by what the parts have.</param>
     /// <remarks>Retail: CPhysicsObj::CacheHasPhysicsBSP @0x0050F570; specification 02, 2.2.</remarks>
-    public WorldObject(uint id, SetupAsset? setup, PhysicsState state)
+    internal WorldObject(uint id, SetupAsset? setup, PhysicsState state)
     {
         Id = id;
         Setup = setup;
@@ -26,22 +26,22 @@ public partial class WorldObject
     public SetupAsset? Setup { get; }
 
     /// <summary>Physics state word.</summary>
-    public PhysicsState State { get; protected internal set; }
+    public PhysicsState State { get; internal set; }
 
     /// <summary>What the server says of it.</summary>
-    public WeenieTraits Weenie { get; protected internal set; }
+    public WeenieTraits Weenie { get; internal set; }
 
     /// <summary>Where it is.</summary>
     public Position Position => PositionField;
 
     /// <summary>Uniform scale.</summary>
-    public float Scale { get; protected internal set; } = 1f;
+    public float Scale { get; internal set; } = 1f;
 
     /// <summary>The cell it is in, or null.</summary>
-    public ObjCell? Cell { get; protected internal set; }
+    public ObjCell? Cell { get; internal set; }
 
     /// <summary>What it is attached to; attached objects are not collided with.</summary>
-    public WorldObject? Parent { get; protected internal set; }
+    public WorldObject? Parent { get; internal set; }
 
     /// <summary>Velocity, metres a second, world axes.</summary>
     public virtual Vector3 Velocity => Vector3.Zero;

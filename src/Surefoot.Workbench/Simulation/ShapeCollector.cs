@@ -41,7 +41,7 @@ internal static class ShapeCollector
         foreach (EnvCell room in block.Rooms)
         {
             List<Vector3> triangles = [];
-            AddPolygons(triangles, room.Shape.Physics.Polygons, room.Position.Frame, 1f);
+            AddPolygons(triangles, room.Polygons, room.Position.Frame, 1f);
             foreach (StaticObject item in indoors[room.Id]) AddObject(triangles, item);
             rooms.Add(new NamedShape(room.Id, [.. triangles]));
         }

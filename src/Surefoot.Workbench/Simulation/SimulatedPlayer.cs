@@ -3,6 +3,7 @@ using Surefoot.Client;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Motion;
+using Surefoot.Physics.Steering;
 using Surefoot.Physics.World;
 using Surefoot.Protocol.Messages;
 using Surefoot.Server;
@@ -148,10 +149,10 @@ internal sealed class SimulatedPlayer(LoopbackServer server, Func<uint, (TouchKi
     public void Observe(double now)
     {
         PhysicsBody body = Player.Body;
-        MotionInterpreter motions = Player.Movement.Interpreter;
-        if (motions.RunRate != runRate)
+        MovementManager movement = Player.Movement;
+        if (movement.RunRate != runRate)
         {
-            runRate = motions.RunRate;
+            runRate = movement.RunRate;
             Happen(new PlayerEvent(PlayerEventKind.RunRateChanged, now, runRate));
         }
 
@@ -164,10 +165,10 @@ internal sealed class SimulatedPlayer(LoopbackServer server, Func<uint, (TouchKi
         if (body.OnWalkable) flags |= PoseFlags.OnWalkable;
         if (body.HasContact && body.Transient.HasFlag(TransientState.WaterContact)) flags |= PoseFlags.InWater;
         if (Player.Controller.IsChargingJump) flags |= PoseFlags.Charging;
-        if (motions.StandingLongJump) flags |= PoseFlags.StandingLongJump;
+        if (movement.StandingLongJump) flags |= PoseFlags.StandingLongJump;
         if (!body.HasCell) flags |= PoseFlags.Nowhere;
         if (World.IsEnclosed(body.Position.CellId)) flags |= PoseFlags.Enclosed;
-        InterpretedMotionState state = motions.Interpreted;
+        MotionSummary motions = movement.Motions;
         Position position = body.Position;
         double time = body.IsActive ? body.SimulatedTime : now;
         Pose = new PlayerPose(
@@ -182,10 +183,10 @@ internal sealed class SimulatedPlayer(LoopbackServer server, Func<uint, (TouchKi
             Player.Controller.JumpLevel(now),
             body.LastQuantum,
             runRate,
-            (uint)state.ForwardCommand,
-            state.ForwardSpeed,
-            state.SidestepCommand == MotionCommand.None ? 0 : state.SidestepSpeed,
-            state.TurnCommand == MotionCommand.None ? 0 : state.TurnSpeed,
+            (uint)motions.Forward,
+            motions.ForwardSpeed,
+            motions.Sidestep == MotionCommand.None ? 0 : motions.SidestepSpeed,
+            motions.Turn == MotionCommand.None ? 0 : motions.TurnSpeed,
             teleports);
         reader.Read(Trace);
         if (body.HasCell) reader.CopyTo(touches);

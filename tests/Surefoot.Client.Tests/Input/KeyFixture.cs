@@ -83,8 +83,8 @@ internal sealed class KeyFixture : IMotionBody
     {
         bool before = OnWalkable;
         OnWalkable = on;
-        if (before && !on) Movement.LeaveGround();
-        else if (!before && on) Movement.HitGround();
+        if (before && !on) Told.LeaveGround();
+        else if (!before && on) Told.HitGround();
     }
 
     /// <summary>How often the body was told to stop following a server's places.</summary>
@@ -131,11 +131,13 @@ internal sealed class KeyFixture : IMotionBody
     internal void Echo(in WireInterpretedMotion state) => Say(new UpdateMotion(
         Id, 1, ++movementStamp, serverControlStamp, Autonomous: true, MovementData.Motion(0, state)));
 
+    private IBodyMovement Told => Movement;
+
     private void Animate()
     {
         Frame offset = Frame.Identity;
-        Movement.AccumulateRootMotion((float)FrameTime, ref offset);
+        Told.AccumulateRootMotion((float)FrameTime, ref offset);
         Movement.Animation!.ProcessHooks(null);
-        Movement.UseTime();
+        Told.UseTime();
     }
 }

@@ -79,10 +79,10 @@ public class ObjectTraceTests
     [InlineData(WeenieTraits.Creature, PhysicsState.None, MoverFlags.IgnoreCreatures, TraceReason.IgnoredCreature)]
     [InlineData(WeenieTraits.Player, PhysicsState.None, MoverFlags.IsPlayer, TraceReason.PassedPlayer)]
     [InlineData(WeenieTraits.Present, PhysicsState.Missile, MoverFlags.None, TraceReason.PassedByMissile)]
-    public void An_object_that_is_passed_says_why(WeenieTraits weenie, PhysicsState state, MoverFlags flags, TraceReason reason)
+    public void An_object_that_is_passed_says_why(WeenieTraits weenie, PhysicsState state, object flags, TraceReason reason)
     {
         WorldObject target = new(ObjectId, new SetupAsset { Id = Ball, Spheres = [new Sphere(new(1.2f, 0, 0.6f), 0.6f)] }, state) { Weenie = weenie };
-        TraceEntry[] told = Tell(target, new(0.2f, 0.1f, 0), new(0.3f, 0, 0), Standing | flags);
+        TraceEntry[] told = Tell(target, new(0.2f, 0.1f, 0), new(0.3f, 0, 0), Standing | (MoverFlags)flags);
         Assert.Contains(told, e => e.Kind is TraceKind.Skipped or TraceKind.ObjectAnswered && e.Subject.ObjectId == ObjectId && e.Reason == reason);
     }
 

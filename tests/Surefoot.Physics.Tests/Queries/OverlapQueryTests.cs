@@ -18,7 +18,8 @@ public sealed class OverlapQueryTests
     [InlineData(-3f, true)]
     public void A_sphere_reaches_into_the_ground_when_its_lowest_point_is_below(float z, bool overlaps)
     {
-        SphereOverlap found = Ask.Engine(0xA9B40000).CreateQuery().Overlap(new SphereInput(Ask.Land, new Sphere(new Vector3(10, 10, z), 0.5f)));
+        SphereInput input = new(Ask.Land, new Sphere(new Vector3(10, 10, z), 0.5f));
+        SphereOverlap found = Ask.Engine(0xA9B40000).CreateQuery().Overlap(input);
         Assert.Equal((overlaps, true, Ask.Land), (found.Overlaps, found.IsLoaded, found.CellId));
         Assert.Equal(overlaps ? TraceSubjectKind.Ground : TraceSubjectKind.None, found.Subject.Kind);
     }

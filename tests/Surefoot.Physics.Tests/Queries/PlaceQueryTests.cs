@@ -1,4 +1,5 @@
 using System.Numerics;
+using Surefoot.Physics.Assets;
 using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Queries;
@@ -67,7 +68,8 @@ public sealed class PlaceQueryTests
         Position elsewhere = Ask.At(10, 10, 5, 0x01010001);
         Assert.True(query.Place(new PlaceInput(Ask.Walker, elsewhere)) is { Found: false, IsLoaded: false });
         Assert.True(query.ProbeDown(new ProbeDownInput(Ask.Walker, elsewhere, 10)) is { Found: false, IsLoaded: false });
-        Assert.True(query.Overlap(new SphereInput(0x01010001, new Sphere(Vector3.One, 1))) is { Overlaps: false, IsLoaded: false, CellId: 0 });
+        SphereOverlap sphere = query.Overlap(new SphereInput(0x01010001, new Sphere(Vector3.One, 1)));
+        Assert.True(sphere is { Overlaps: false, IsLoaded: false, CellId: 0 });
         Assert.True(query.Overlap(new PointInput(0x01010001, Vector3.One)) is { IsSolid: false, IsLoaded: false, CellId: 0 });
     }
 
@@ -113,7 +115,7 @@ public sealed class PlaceQueryTests
     public void A_mover_let_down_over_a_body_rests_on_it()
     {
         PhysicsEngine engine = Ask.Engine(0xA9B40000);
-        Physics.Assets.SetupAsset post = new() { Id = 0x02000009, Cylinders = [new CylSphere(Vector3.Zero, 0.5f, 1)], Height = 1, Radius = 0.5f };
+        SetupAsset post = new() { Id = 0x02000009, Cylinders = [new CylSphere(Vector3.Zero, 0.5f, 1)], Height = 1, Radius = 0.5f };
         Assert.True(engine.CreateBody(7, post).EnterWorld(Ask.At(10, 10, 0)));
         ProbeDownResult below = engine.CreateQuery().ProbeDown(new ProbeDownInput(Ask.Ball, Ask.At(10.1f, 10, 5), 10));
         Assert.True(below.Found);
@@ -139,8 +141,11 @@ public sealed class PlaceQueryTests
     [Theory, Behaviour("query.bad-input.no-depth", "design, decision 7")]
     [InlineData(0f)]
     [InlineData(-1f)]
-    public void A_depth_of_nothing_is_refused(float depth) =>
-        Assert.ThrowsAny<ArgumentException>(() => Ask.Engine(0xA9B40000).CreateQuery().ProbeDown(new ProbeDownInput(Ask.Ball, Ask.At(10, 10, 1), depth)));
+    public void A_depth_of_nothing_is_refused(float depth)
+    {
+        WorldQuery query = Ask.Engine(0xA9B40000).CreateQuery();
+        Assert.ThrowsAny<ArgumentException>(() => query.ProbeDown(new ProbeDownInput(Ask.Ball, Ask.At(10, 10, 1), depth)));
+    }
 
     [Fact, Behaviour("query.bad-input.no-mover", "design, decision 7")]
     public void Nobody_is_refused()
@@ -161,7 +166,7 @@ public sealed class PlaceQueryTests
         Sphere good = new(Vector3.Zero, 0.5f);
         Assert.ThrowsAny<ArgumentException>(() => new Mover([new Sphere(Vector3.Zero, bad)], 0.6f, 0.6f));
         Assert.ThrowsAny<ArgumentException>(() => new Mover([good, new Sphere(Vector3.Zero, bad)], 0.6f, 0.6f));
-        Assert.ThrowsAny<ArgumentException>(() => new Mover(new Physics.Assets.SetupAsset { Spheres = [new Sphere(Vector3.Zero, bad)] }));
+        Assert.ThrowsAny<ArgumentException>(() => new Mover(new SetupAsset { Spheres = [new Sphere(Vector3.Zero, bad)] }));
         Assert.ThrowsAny<ArgumentException>(() => new Mover(Ask.Ball.Setup, scale: bad));
         if (bad == 0) return;
         Assert.ThrowsAny<ArgumentException>(() => new Mover([good], bad, 0.6f));

@@ -17,7 +17,8 @@ public sealed class ShapeQueryTests
     [InlineData(".5 0 0", false)]
     [InlineData("0 0 -.5", false)]
     [InlineData("0 0 -.6", false)]
-    public void A_point_is_inside_a_mesh_or_not(string point, bool inside) => Assert.Equal(inside, ShapeQuery.Contains(Ask.Cube, At(point)));
+    public void A_point_is_inside_a_mesh_or_not(string point, bool inside) =>
+        Assert.Equal(inside, ShapeQuery.Contains(Ask.Cube, At(point)));
 
     [Theory, Behaviour("query.shape.sphere", "spec/04, 6.7: sphere_intersects_solid, and sphere_intersects_poly with each movement")]
     [InlineData("0 0 0", 0.1f, true, false, "")]
@@ -53,7 +54,9 @@ public sealed class ShapeQueryTests
     {
         SetupAsset pile = new SetupAsset { Parts = [new SetupPart(Ask.Cube, Vector3.One), new SetupPart(Ask.Cube, new Vector3(2))] }
             .With(0, [Frame.Identity, Frame.Identity])
-            .With(SetupAsset.Resting, [new Frame(new Vector3(5, 0, 0), Quaternion.Identity), new Frame(new Vector3(0, 0, 1), Quaternion.Identity)]);
+            .With(
+                SetupAsset.Resting,
+                [new Frame(new Vector3(5, 0, 0), Quaternion.Identity), new Frame(new Vector3(0, 0, 1), Quaternion.Identity)]);
         Assert.True(ShapeQuery.Contains(pile, new Vector3(5, 0, 0)));
         Assert.True(ShapeQuery.Contains(pile, new Vector3(0.9f, 0, 1)));
         Assert.False(ShapeQuery.Contains(pile, new Vector3(0, 0, -0.1f)));

@@ -1,3 +1,4 @@
+using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.Steering;
 using Surefoot.Physics.Tests.Motion;
@@ -17,9 +18,9 @@ public class MovementManagerTests
         MovementManager movement = new(body, table: null, new OtherWeenie());
         Assert.False(movement.HasInterpreter);
         movement.ApplyUpdate(Walk, autonomous: false, standingLongJump: true);
-        movement.LeaveGround();
-        movement.HitGround();
-        movement.HandleExitWorld();
+        ((IBodyMovement)movement).LeaveGround();
+        ((IBodyMovement)movement).HitGround();
+        ((IBodyMovement)movement).HandleExitWorld();
         Assert.Equal((false, false, false), (movement.HasInterpreter, movement.MotionsPending, body.LastMoveWasAutonomous));
 
         MotionInterpreter interpreter = movement.Interpreter;
@@ -53,7 +54,7 @@ public class MovementManagerTests
         Assert.Equal(
             [MotionCommand.Ready, MotionCommand.NonCombat, MotionCommand.Ready, MotionCommand.Ready, MotionCommand.NonCombat, MotionCommand.Ready],
             Enumerable.Range(0, movement.Interpreter.PendingCount).Select(i => movement.Interpreter.GetPending(i).Motion));
-        movement.UseTime();
+        ((IBodyMovement)movement).UseTime();
         Assert.False(movement.MotionsPending);
     }
 
@@ -62,7 +63,7 @@ public class MovementManagerTests
     [InlineData(MovementKind.RawCommand, true)]
     [InlineData(MovementKind.StopRawCommand, true)]
     [InlineData(MovementKind.StopCompletely, false)]
-    public void Doing_and_stopping_a_motion_sets_the_autonomous_flag_before_anything_else_and_stopping_completely_leaves_it(MovementKind kind, bool autonomous)
+    public void Doing_and_stopping_a_motion_sets_the_autonomous_flag_before_anything_else_and_stopping_completely_leaves_it(object kind, bool autonomous)
     {
         FakeBody body = new() { LastMoveWasAutonomous = false };
         MovementManager movement = new(body, HumanoidTable.Create(), FakeBody.Player());

@@ -49,9 +49,9 @@ public sealed class WaterTests
     [InlineData(MoverFlags.None, PhysicsState.Default, TransitionState.Collided)]
     [InlineData(MoverFlags.IsViewer, PhysicsState.Default, TransitionState.OK)]
     [InlineData(MoverFlags.None, PhysicsState.Default | PhysicsState.Missile, TransitionState.OK)]
-    public void Open_water_lets_cameras_and_missiles_over(MoverFlags flags, PhysicsState state, TransitionState answer)
+    public void Open_water_lets_cameras_and_missiles_over(object flags, PhysicsState state, TransitionState answer)
     {
-        Transition transition = Over(Ground.Of(Sea, (_, _) => 0, (_, _) => 17 << 2), new Vector3(60, 60, 5), flags, state);
+        Transition transition = Over(Ground.Of(Sea, (_, _) => 0, (_, _) => 17 << 2), new Vector3(60, 60, 5), (MoverFlags)flags, state);
         Assert.Equal(answer, transition.Path.CheckCell!.FindCollisions(transition));
     }
 

@@ -1,7 +1,7 @@
 namespace Surefoot.Physics.Motion;
 
 /// <content>Putting a whole state into effect.</content>
-public sealed partial class MotionInterpreter
+internal sealed partial class MotionInterpreter
 {
     private const int StampMask = 0x7FFF;
     private const int HalfStampRange = 0x3FFF;

@@ -4,7 +4,7 @@ using Surefoot.Physics.Geometry;
 namespace Surefoot.Physics.Motion;
 
 /// <content>Jumping, leaving the ground and coming back to it.</content>
-public sealed partial class MotionInterpreter
+internal sealed partial class MotionInterpreter
 {
     /// <summary>Jump speed without a weenie, m/s.</summary>
     private const float DefaultJumpVelocity = 10f;

@@ -3,7 +3,7 @@ namespace Surefoot.Physics.Motion;
 /// <summary>
 /// What is asked of a body's motion side; the numbers are retail's. <see cref="MotionInterpreter.PerformMovement"/> does the first five.
 /// </summary>
-public enum MovementKind
+internal enum MovementKind
 {
     /// <summary>A motion as a key names it.</summary>
     RawCommand = 1,
@@ -34,7 +34,7 @@ public enum MovementKind
 }
 
 /// <content>Single motions.</content>
-public sealed partial class MotionInterpreter
+internal sealed partial class MotionInterpreter
 {
     private const int MaxActions = 6;
 

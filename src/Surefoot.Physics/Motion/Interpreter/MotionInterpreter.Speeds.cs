@@ -4,7 +4,7 @@ using Surefoot.Physics.Geometry;
 namespace Surefoot.Physics.Motion;
 
 /// <content>Normalising commands, and the speeds that follow from a state.</content>
-public sealed partial class MotionInterpreter
+internal sealed partial class MotionInterpreter
 {
     private const float BackwardsFactor = -0.65f;
     private const float SidestepFactor = (float)(MovementFormulas.WalkSpeed / (double)MovementFormulas.SidestepSpeed * 0.5);

@@ -6,14 +6,14 @@ namespace Surefoot.Physics.Motion;
 /// <param name="ContextId">Identifies the request.</param>
 /// <param name="Motion">The motion.</param>
 /// <param name="JumpError">Why the body may not jump until this is done; <see cref="MotionError.None"/> when it may.</param>
-public readonly record struct PendingMotion(uint ContextId, MotionCommand Motion, MotionError JumpError);
+internal readonly record struct PendingMotion(uint ContextId, MotionCommand Motion, MotionError JumpError);
 
 /// <summary>
 /// Turns what the player asks for (<see cref="Raw"/>) or what a server says (<see cref="Interpreted"/>) into motions of the body. Each group of verbs
 /// has a file of its own: <c>Apply</c> (both states), <c>Motions</c> (single motions), <c>Jump</c>, <c>Speeds</c>.
 /// </summary>
 /// <remarks>Retail: CMotionInterp; specification 01, section 4.</remarks>
-public sealed partial class MotionInterpreter
+internal sealed partial class MotionInterpreter
 {
     private readonly RingQueue<PendingMotion> pending = new();
     private IMotionBody? body;

@@ -9,7 +9,7 @@ public readonly record struct MotionAction(MotionCommand Command, float Speed, u
 
 /// <summary>What the player asks for: commands as the keys name them, each with the hold key it was pressed with.</summary>
 /// <remarks>Retail: RawMotionState; specification 01, 2.2.</remarks>
-public sealed class RawMotionState
+internal sealed class RawMotionState
 {
     private readonly RingQueue<MotionAction> actions = new();
 
@@ -163,7 +163,7 @@ public sealed class InterpretedMotionState
 
     /// <summary>Enters a motion into the state.</summary>
     /// <remarks>Retail: InterpretedMotionState::ApplyMotion @0x0051EA40.</remarks>
-    public void ApplyMotion(MotionCommand motion, in MovementParameters parameters)
+    internal void ApplyMotion(MotionCommand motion, in MovementParameters parameters)
     {
         if (motion == MotionCommand.TurnRight) (TurnCommand, TurnSpeed) = (motion, parameters.Speed);
         else if (motion == MotionCommand.SideStepRight) (SidestepCommand, SidestepSpeed) = (motion, parameters.Speed);
@@ -177,7 +177,7 @@ public sealed class InterpretedMotionState
 
     /// <summary>Takes a motion out of the state.</summary>
     /// <remarks>Retail: InterpretedMotionState::RemoveMotion @0x0051E790.</remarks>
-    public void RemoveMotion(MotionCommand motion)
+    internal void RemoveMotion(MotionCommand motion)
     {
         if (motion == MotionCommand.TurnRight) TurnCommand = MotionCommand.None;
         else if (motion == MotionCommand.SideStepRight) SidestepCommand = MotionCommand.None;
@@ -195,14 +195,14 @@ public sealed class InterpretedMotionState
     public void AddAction(in MotionAction action) => actions.Enqueue(action);
 
     /// <summary>Takes the oldest action off; nothing when there is none.</summary>
-    public void RemoveAction()
+    internal void RemoveAction()
     {
         if (actions.Count > 0) actions.Dequeue();
     }
 
     /// <summary>Takes over style, commands and speeds of another state; the actions stay.</summary>
     /// <remarks>Retail: InterpretedMotionState::copy_movement_from @0x0051E750.</remarks>
-    public void CopyMovementFrom(InterpretedMotionState other)
+    internal void CopyMovementFrom(InterpretedMotionState other)
     {
         ArgumentNullException.ThrowIfNull(other);
         CurrentStyle = other.CurrentStyle;
@@ -212,7 +212,7 @@ public sealed class InterpretedMotionState
     }
 
     /// <summary>Back to standing in the peaceful style, without actions.</summary>
-    public void Reset()
+    internal void Reset()
     {
         (CurrentStyle, ForwardCommand, ForwardSpeed) = (MotionCommand.NonCombat, MotionCommand.Ready, 1f);
         (SidestepCommand, SidestepSpeed, TurnCommand, TurnSpeed) = (MotionCommand.None, 1f, MotionCommand.None, 1f);
@@ -220,7 +220,7 @@ public sealed class InterpretedMotionState
     }
 
     /// <summary>A state of its own with the same content.</summary>
-    public InterpretedMotionState Clone()
+    internal InterpretedMotionState Clone()
     {
         InterpretedMotionState copy = new();
         copy.CopyMovementFrom(this);

@@ -9,11 +9,11 @@ namespace Surefoot.Physics.Motion;
 /// <param name="LowFrame">First frame.</param>
 /// <param name="HighFrame">Last frame; negative is the animation's last.</param>
 /// <param name="Framerate">Frames a second.</param>
-public readonly record struct AnimationSpan(AnimationAsset Animation, int LowFrame, int HighFrame, float Framerate);
+internal readonly record struct AnimationSpan(AnimationAsset Animation, int LowFrame, int HighFrame, float Framerate);
 
 /// <summary>Animations and velocity of a motion. Immutable.</summary>
 /// <remarks>Retail: MotionData.</remarks>
-public sealed class MotionAsset
+internal sealed class MotionAsset
 {
     private readonly AnimationSpan[] animations;
 
@@ -87,13 +87,13 @@ public sealed class MotionTableAsset
     public MotionCommand DefaultStyle { get; }
 
     /// <summary>The substate a style begins in; <see cref="MotionCommand.None"/> for an unknown style.</summary>
-    public MotionCommand DefaultSubstate(MotionCommand style) => styleDefaults.GetValueOrDefault(style);
+    internal MotionCommand DefaultSubstate(MotionCommand style) => styleDefaults.GetValueOrDefault(style);
 
     /// <summary>The cycle of a substate in a style, or null.</summary>
-    public MotionAsset? Cycle(MotionCommand style, MotionCommand motion) => cycles.GetValueOrDefault(Key(style, motion));
+    internal MotionAsset? Cycle(MotionCommand style, MotionCommand motion) => cycles.GetValueOrDefault(Key(style, motion));
 
     /// <summary>A modifier in a style, or for every style, or null.</summary>
-    public MotionAsset? Modifier(MotionCommand style, MotionCommand motion) =>
+    internal MotionAsset? Modifier(MotionCommand style, MotionCommand motion) =>
         modifiers.GetValueOrDefault(Key(style, motion)) ?? modifiers.GetValueOrDefault((uint)motion & MotionCommands.KeyMask);
 
     /// <summary>What leads from one substate to another motion, or null. Backwards the link of the opposite way is taken.</summary>
@@ -111,7 +111,7 @@ public sealed class MotionTableAsset
 }
 
 /// <summary>Collects the motions of a <see cref="MotionTableAsset"/>.</summary>
-public sealed class MotionTableBuilder
+internal sealed class MotionTableBuilder
 {
     private readonly Dictionary<MotionCommand, MotionCommand> styleDefaults = [];
     private readonly Dictionary<uint, MotionAsset> cycles = [];

@@ -72,7 +72,7 @@ public static class MotionTableLoader
     /// <param name="record">The table.</param>
     /// <param name="findAnimation">Finds an animation by id; null when there is none.</param>
     /// <param name="withParts">Load where the parts are as well.</param>
-    public static MotionTableAsset Create(MotionTable record, Func<uint, Animation?> findAnimation, bool withParts = false)
+    internal static MotionTableAsset Create(MotionTable record, Func<uint, Animation?> findAnimation, bool withParts = false)
     {
         ArgumentNullException.ThrowIfNull(record);
         ArgumentNullException.ThrowIfNull(findAnimation);

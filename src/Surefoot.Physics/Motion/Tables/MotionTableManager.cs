@@ -13,7 +13,7 @@ public sealed class MotionTableManager
     private int animationCounter;
 
     /// <summary>The animation side of a body with this motion table.</summary>
-    public MotionTableManager(MotionTableAsset table)
+    internal MotionTableManager(MotionTableAsset table)
     {
         ArgumentNullException.ThrowIfNull(table);
         Table = table;
@@ -21,7 +21,7 @@ public sealed class MotionTableManager
     }
 
     /// <summary>The motion table.</summary>
-    public MotionTableAsset Table { get; }
+    internal MotionTableAsset Table { get; }
 
     /// <summary>Style of the motion table.</summary>
     public MotionCommand Style => state.Style;
@@ -39,7 +39,7 @@ public sealed class MotionTableManager
     public double CurrentFrame => Sequence.FrameNumber;
 
     /// <summary>Motions that are not done.</summary>
-    public int PendingCount => pending.Count;
+    internal int PendingCount => pending.Count;
 
     internal MotionSequence Sequence { get; } = new();
 
