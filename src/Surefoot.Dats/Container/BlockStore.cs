@@ -35,9 +35,6 @@ internal sealed class BlockStore : IDisposable
         set => header = header with { RootNode = value };
     }
 
-    /// <summary>Number of blocks on the free list.</summary>
-    public uint FreeBlockCount => header.FreeBlockCount;
-
     /// <summary>Bytes of the chain from a block on, cut at a size.</summary>
     public byte[] Load(uint first, int size)
     {

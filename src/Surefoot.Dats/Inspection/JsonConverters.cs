@@ -67,8 +67,6 @@ internal sealed class HexadecimalConverter : WriteOnlyConverter<object>
     public static bool Handles(Type type)
         => type == typeof(uint) || type == typeof(ushort) || type == typeof(ImmutableArray<uint>) || type == typeof(ImmutableArray<ushort>);
 
-    public override bool CanConvert(Type typeToConvert) => Handles(typeToConvert);
-
     public override void Write(Utf8JsonWriter writer, object value, JsonSerializerOptions options)
     {
         switch (value)

@@ -127,13 +127,9 @@ public static class RecordText
         return line is not null && line.Length <= width ? line : node is JsonValue ? line : null;
     }
 
-    private static bool IsFlat(JsonNode node) => node switch
-    {
-        JsonArray list => list.All(static element => element is JsonValue),
-        JsonObject members => members.All(
-            static member => member.Value is JsonValue or null || (member.Value is JsonArray && IsFlat(member.Value))),
-        _ => true,
-    };
+    private static bool IsFlat(JsonNode node) => node is JsonArray list
+        ? list.All(static element => element is JsonValue)
+        : node.AsObject().All(static member => member.Value is JsonValue or null || (member.Value is JsonArray && IsFlat(member.Value)));
 
     private static string Word(JsonNode? value) => value?.ToString() switch
     {

@@ -11,9 +11,6 @@ public sealed class BspTree
     /// <summary>The nodes; as read, a node comes before its positive and that before its negative subtree.</summary>
     public required ImmutableArray<BspNode> Nodes { get; init; }
 
-    /// <summary>The root.</summary>
-    internal BspNode Root => Nodes[0];
-
     /// <summary>A tree of one leaf.</summary>
     public static BspTree OfLeaf(BspNode leaf) => new() { Nodes = [leaf] };
 

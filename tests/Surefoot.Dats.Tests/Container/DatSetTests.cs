@@ -61,6 +61,22 @@ public sealed class DatSetTests
         Assert.Equal(29, bytes.Length);
     }
 
+    [Fact]
+    [Behaviour("dats.folder.typed-reads", "spec/07, 1.2 and section 6")]
+    public void A_record_is_found_by_its_kind_in_the_file_of_that_kind_and_then_in_the_local_one()
+    {
+        using var folder = new TempFolder();
+        new DatFileWriter(folder.File(DatSet.PortalName), DatFileKind.Portal).Add(new Scene { Id = 0x12000001 }).Complete();
+        new DatFileWriter(folder.File(DatSet.CellName), DatFileKind.Cell).Add(0x12000002, [1]).Complete();
+        new DatFileWriter(folder.File(DatSet.LocalName), DatFileKind.Local).Add(new Scene { Id = 0x12000003 }).Add(0x12000004, [1]).Complete();
+        using var set = DatSet.Open(folder.Path);
+        Assert.Equal(0x12000001u, set.Read<Scene>(0x12000001).Id);
+        Assert.Equal(0x12000003u, set.Read<Scene>(0x12000003).Id);
+        Assert.False(set.TryRead<Scene>(0x12000002, out _));
+        Assert.False(set.TryRead<GfxObj>(0x12000001, out _));
+        Assert.Equal(folder.File(DatSet.LocalName), Assert.Throws<DatFormatException>(() => set.Read<Scene>(0x12000004)).File);
+    }
+
     [Theory]
     [InlineData(true, true, "There is no folder")]
     [InlineData(false, true, "has no client_portal.dat:")]

@@ -185,6 +185,60 @@ public sealed class ReaderTests
     }
 
     [Fact]
+    [Behaviour("dats.read.pinned", "design.md: bytes of a record are memory of the mapped file")]
+    public void A_record_can_be_pinned_and_handed_to_the_system_as_it_lies_in_the_file()
+    {
+        var file = DatFile.Open(Path.Combine(TestData.Mini, DatSet.PortalName));
+        Assert.True(file.TryRead(0x01000011, out ReadOnlySequence<byte> bytes));
+        ReadOnlyMemory<byte> memory = bytes.First;
+        using var folder = new TempFolder();
+        using (var copy = File.OpenHandle(folder.File("copy"), FileMode.Create, FileAccess.Write))
+            RandomAccess.Write(copy, [memory[..3], memory[3..]], 0);
+        Assert.Equal(TestData.SampleBytes("gfxobj-01000011"), File.ReadAllBytes(folder.File("copy")));
+        file.Dispose();
+        Assert.Throws<ObjectDisposedException>(() => memory.Pin());
+    }
+
+    [Fact]
+    [Behaviour("dats.open.iteration-version", "spec/07, 4.5: the iteration record has entry version 1")]
+    public void An_iteration_record_that_retail_would_not_take_is_remarked_on()
+    {
+        using var folder = new TempFolder();
+        string path = folder.File("x.dat");
+        new DatFileWriter(path, DatFileKind.Portal).Complete();
+        byte[] bytes = File.ReadAllBytes(path);
+        byte[] entry = [0, 0, 1, 0, .. BitConverter.GetBytes(DatIds.Iteration)];
+        bytes[bytes.AsSpan().IndexOf(entry) + 2] = 2;
+        File.WriteAllBytes(path, bytes);
+        using var file = DatFile.Open(path);
+        DatRemark remark = Assert.Single(file.Remarks);
+        Assert.Equal(DatIds.Iteration, remark.RecordId);
+        Assert.Contains("entry version 2", remark.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    [Behaviour("dats.read.empty", "spec/07, 4.2: a chain of size 0 has no block")]
+    public void A_record_of_size_0_has_no_bytes()
+    {
+        byte[] bytes = File.ReadAllBytes(Path.Combine(TestData.Mini, DatSet.PortalName));
+        Patch(bytes, EntryOffset(bytes, 0x01000011) + 12, 0);
+        using var folder = new TempFolder();
+        File.WriteAllBytes(folder.File("x.dat"), bytes);
+        using var file = DatFile.Open(folder.File("x.dat"));
+        Assert.True(file.TryRead(0x01000011, out ReadOnlySequence<byte> record));
+        Assert.True(record.IsEmpty);
+    }
+
+    [Fact]
+    [Behaviour("dats.verify.missing-record", "design.md, decision 7")]
+    public void Verifying_a_record_that_is_not_there_says_so()
+    {
+        using var file = DatFile.Open(Path.Combine(TestData.Mini, DatSet.PortalName));
+        DatVerifyResult result = DatVerifier.Verify(file, 0x0100FFFF);
+        Assert.Equal((DatVerifyOutcome.Failed, "there is no such record"), (result.Outcome, result.Message));
+    }
+
+    [Fact]
     [Behaviour("dats.read.id-zero", "spec/07, 5.3")]
     public void Id_zero_and_unknown_ids_are_not_found()
     {
