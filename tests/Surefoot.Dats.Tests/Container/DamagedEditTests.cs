@@ -78,7 +78,8 @@ public sealed class DamagedEditTests
         {
             Assert.Throws<ArgumentException>(() => editor.Put(0, [1]));
             Assert.Throws<ArgumentException>(() => editor.Put(5, []));
-            Assert.Throws<ArgumentException>(() => editor.Put(new LandBlock { Id = 0xA9B4FFFF, Terrain = [.. new ushort[81]], Heights = [.. new byte[81]] }));
+            LandBlock land = new() { Id = 0xA9B4FFFF, Terrain = [.. new ushort[81]], Heights = [.. new byte[81]] };
+            Assert.Throws<ArgumentException>(() => editor.Put(land));
             Assert.Throws<ArgumentNullException>(() => editor.Put(null!));
         }
 
