@@ -5,7 +5,6 @@ using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.Queries;
 using Surefoot.Physics.Steering;
-using Surefoot.Physics.Transitions;
 using Surefoot.Physics.World;
 
 namespace Surefoot.Physics;
@@ -17,11 +16,10 @@ namespace Surefoot.Physics;
 /// <remarks>Retail: CPhysics.</remarks>
 public sealed class PhysicsEngine : ILoadListener
 {
-    private readonly BodyTable bodies = new();
+    private readonly Population population;
     private readonly StaticAnimations statics = new();
     private WorldQuery? own;
     private double lastUpdate;
-    private ulong rollState;
 
     /// <summary>An engine with a world of its own, of which nothing is loaded yet.</summary>
     /// <param name="assets">Shapes and records; may be shared with other engines.</param>
@@ -50,9 +48,7 @@ public sealed class PhysicsEngine : ILoadListener
     private PhysicsEngine(PhysicsWorld world, ICellWorld cells, ulong seed)
     {
         World = world;
-        Cells = cells;
-        Transitions = new TransitionPool(cells);
-        rollState = seed;
+        population = new Population(cells, seed, body => new SteeredPhysicsBody(body));
         world.Attach(this);
     }
 
@@ -60,20 +56,20 @@ public sealed class PhysicsEngine : ILoadListener
     public PhysicsWorld World { get; }
 
     /// <summary>The cells bodies move through: those of <see cref="World"/>.</summary>
-    internal ICellWorld Cells { get; }
+    internal ICellWorld Cells => population.Cells;
 
     /// <summary>Time of the last call of <see cref="Tick"/>, seconds.</summary>
-    public double Now { get; private set; }
+    public double Now => population.Now;
 
     /// <summary>The local player; bodies farther than 96 m from it sleep. Null, as on a server, keeps every body as it is.</summary>
     /// <exception cref="ArgumentException">The body belongs to another engine.</exception>
     public PhysicsBody? Player
     {
-        get;
+        get => population.Player;
         set
         {
-            if (value is not null) ThrowIfForeign(value);
-            field = value;
+            if (value is not null) population.ThrowIfForeign(value);
+            population.Player = value;
         }
     }
 
@@ -81,13 +77,14 @@ public sealed class PhysicsEngine : ILoadListener
     /// Keep a body where it is when a move would end in no loaded cell. Off, as in retail, where such a body is parked until its cell is
     /// loaded; servers want it on.
     /// </summary>
-    public bool RefuseLeavingCells { get; set; }
-
-    /// <summary>The work objects of those who change bodies, one thread at a time.</summary>
-    internal TransitionPool Transitions { get; }
+    public bool RefuseLeavingCells
+    {
+        get => population.RefuseLeavingCells;
+        set => population.RefuseLeavingCells = value;
+    }
 
     /// <summary>Bodies in the order in which they are updated.</summary>
-    public IEnumerable<PhysicsBody> Bodies => bodies;
+    public IEnumerable<PhysicsBody> Bodies => population.Bodies;
 
     /// <summary>Makes a body that is not yet anywhere; <see cref="PhysicsBody.EnterWorld"/> puts it into the world.</summary>
     /// <param name="id">Its id, unique in this engine and not 0.</param>
@@ -101,12 +98,12 @@ public sealed class PhysicsEngine : ILoadListener
         uint id, SetupAsset? setup, PhysicsState state = PhysicsState.Default, WeenieTraits weenie = WeenieTraits.None, float scale = 1f,
         BodyMotions? motions = null)
     {
-        if (id == 0 || bodies.Find(id) is not null) throw new ArgumentException($"The body id 0x{id:X8} is 0 or taken.", nameof(id));
+        if (id == 0 || population.Find(id) is not null) throw new ArgumentException($"The body id 0x{id:X8} is 0 or taken.", nameof(id));
         if (!(scale > 0) || !float.IsFinite(scale)) throw new ArgumentException("The scale is not a positive number.", nameof(scale));
-        PhysicsBody body = new(this, id, setup, state & ~PhysicsState.Static, weenie, scale);
+        PhysicsBody body = new(population, id, setup, state & ~PhysicsState.Static, weenie, scale);
         body.ListContradictions();
-        bodies.Add(body);
-        if (motions is not null) body.AttachMovement(new MovementManager(body, motions.Table, motions.Weenie));
+        population.Bodies.Add(body);
+        if (motions is not null) SteeredPhysicsBody.Of(body).Attach(new MovementManager(body, motions.Table, motions.Weenie));
         return body;
     }
 
@@ -117,10 +114,10 @@ public sealed class PhysicsEngine : ILoadListener
     /// <exception cref="ArgumentException">The body belongs to another engine.</exception>
     public void RemoveBody(PhysicsBody body)
     {
-        ThrowIfForeign(body);
+        population.ThrowIfForeign(body);
         body.ExitWorld();
         body.LeaveWorld();
-        bodies.Remove(body);
+        population.Bodies.Remove(body);
         body.UnsetParent();
         body.UnparentChildren();
         if (ReferenceEquals(Player, body)) Player = null;
@@ -133,16 +130,16 @@ public sealed class PhysicsEngine : ILoadListener
     /// <exception cref="ArgumentException">The body belongs to another engine.</exception>
     public MovementManager? MovementOf(PhysicsBody body)
     {
-        ThrowIfForeign(body);
-        return body.Movement as MovementManager;
+        population.ThrowIfForeign(body);
+        return SteeredPhysicsBody.Of(body).Movement as MovementManager;
     }
 
     /// <summary>The body with this id, or null.</summary>
-    public PhysicsBody? Find(uint id) => bodies.Find(id);
+    public PhysicsBody? Find(uint id) => population.Find(id);
 
     /// <summary>
     /// Brings every body, then the parts of animated statics, to <paramref name="now"/>. Less than 1/30 s after the last tick nothing
-    /// happens and the time is not lost: a finer step would change how bodies fall.
+    /// happens and the time is not lost: finer quanta would change how bodies fall.
     /// </summary>
     /// <param name="now">Seconds; a clock that starts anywhere and does not run backwards.</param>
     /// <returns>True when bodies were updated.</returns>
@@ -151,7 +148,7 @@ public sealed class PhysicsEngine : ILoadListener
     public bool Tick(double now)
     {
         if (!double.IsFinite(now)) throw new ArgumentException("The time is not finite.", nameof(now));
-        Now = now;
+        population.Now = now;
         double elapsed = now - lastUpdate;
         if (elapsed < 0)
         {
@@ -160,7 +157,7 @@ public sealed class PhysicsEngine : ILoadListener
         }
 
         if (elapsed < PhysicsBody.MinQuantum) return false;
-        foreach (PhysicsBody body in bodies) body.UpdateObject(now);
+        foreach (PhysicsBody body in population.Bodies) body.UpdateObject(now);
         lastUpdate = now;
         statics.Animate(now);
         return true;
@@ -185,14 +182,14 @@ public sealed class PhysicsEngine : ILoadListener
         (own ??= CreateQuery()).Sweep(new SweepInput(new Mover(setup, state, weenie), from, to));
 
     /// <summary>Work objects for one more thread that asks about this world.</summary>
-    public WorldQuery CreateQuery() => new(this);
+    public WorldQuery CreateQuery() => new(population);
 
     /// <summary>Bodies whose cell came with a landblock enter the world again, and its animated statics begin to move.</summary>
     /// <param name="block">The landblock.</param>
     void ILoadListener.OnLandblockLoaded(Landblock block)
     {
         statics.Add(block, Cells, Now);
-        foreach (PhysicsBody body in bodies)
+        foreach (PhysicsBody body in population.Bodies)
             if (body.IsLost && CellIds.BlockOf(body.Position.CellId) == block.Id) body.ReenterVisibility();
     }
 
@@ -201,7 +198,7 @@ public sealed class PhysicsEngine : ILoadListener
     void ILoadListener.OnLandblockUnloading(uint blockId)
     {
         statics.Remove(blockId);
-        foreach (PhysicsBody body in bodies)
+        foreach (PhysicsBody body in population.Bodies)
             if (body.Cell is not null && body.Parent is null && CellIds.BlockOf(body.Position.CellId) == blockId) body.LeaveVisibility();
     }
 
@@ -209,37 +206,15 @@ public sealed class PhysicsEngine : ILoadListener
     public ulong HashState()
     {
         StateHash hash = new();
-        hash.Add(rollState);
-        foreach (PhysicsBody body in bodies) body.AddTo(ref hash);
+        population.AddTo(ref hash);
         statics.AddTo(ref hash);
         return hash.Value;
-    }
-
-    internal void ThrowIfForeign(PhysicsBody body)
-    {
-        ArgumentNullException.ThrowIfNull(body);
-        if (!ReferenceEquals(body.Engine, this)) throw new ArgumentException("The body belongs to another engine.", nameof(body));
     }
 
     private static PhysicsWorld MakeWorld(PhysicsDataCache assets, PhysicsEngineOptions options)
     {
         ArgumentNullException.ThrowIfNull(assets);
         return new PhysicsWorld(assets, options.Region) { StrictLoading = options.StrictLoading };
-    }
-
-    /// <summary>What moves a body that does not move by itself.</summary>
-    internal static IBodySteering MakeSteering(PhysicsBody body) => new SteeredPhysicsBody(body);
-
-    /// <summary>A number in [-1, 1] from the engine's own seed.</summary>
-    internal double NextRoll()
-    {
-        // SplitMix64: the generator is not retail's, whose rolls come from the C library.
-        rollState += 0x9E3779B97F4A7C15;
-        ulong z = rollState;
-        z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
-        z = (z ^ (z >> 27)) * 0x94D049BB133111EB;
-        z ^= z >> 31;
-        return ((z >> 11) * (2.0 / ((1UL << 53) - 1))) - 1.0;
     }
 }
 

@@ -91,7 +91,7 @@ public sealed class AllocationTests(DemoFiles files) : IClassFixture<DemoFiles>
         DemoWalk walk = new(files, "forest", new CharacterStats(300, 300));
         Position place = walk.Position;
         place.Frame.Origin += new Vector3(3, 4, 0);
-        WorldQuery query = walk.Body.Engine.CreateQuery();
+        WorldQuery query = walk.Engine.CreateQuery();
         Mover mover = new(walk.Body.Setup!);
         Assert.Equal(0, Allocated(() => query.Sweep(walk.Body, place)));
         Assert.Equal(0, Allocated(() => query.Sweep(new SweepInput(mover, walk.Position, place))));
@@ -129,14 +129,14 @@ public sealed class AllocationTests(DemoFiles files) : IClassFixture<DemoFiles>
         {
             if (count++ % period == 0) walk.Body.Seat(seat);
             walk.Body.SetActive(true);
-            walk.Body.Step(1f / 30);
+            walk.Body.AdvanceQuantum(1f / 30);
         };
     }
 
     private static BodySeat SeatOf(PhysicsBody body, in Position position, Vector3 velocity, TransientState bits) =>
         new(position, velocity, bits, body.ContactPlane, body.ContactPlaneCellId, Vector3.Zero);
 
-    private static void Step(DemoWalk walk) => walk.Body.Step(1f / 30);
+    private static void Step(DemoWalk walk) => walk.Body.AdvanceQuantum(1f / 30);
 
     private static long Allocated(Action step)
     {

@@ -94,6 +94,8 @@ internal sealed class DemoWalk
         RestHeight = Start.Frame.Origin.Z;
     }
 
+    internal PhysicsEngine Engine => engine;
+
     internal LocalPlayer Player { get; }
 
     internal Recorder Sent { get; } = new();

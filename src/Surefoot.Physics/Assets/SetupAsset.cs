@@ -1,7 +1,6 @@
 using System.Numerics;
 using Surefoot.Dats.Records;
 using Surefoot.Physics.Geometry;
-using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Assets;
 
@@ -100,7 +99,7 @@ public sealed class SetupAsset
 
     /// <summary>
     /// Some part has a collision tree: an object that is made of this setup is then hit by its trees, and neither by cylinders nor by spheres, until a server's
-    /// word says otherwise (<see cref="PhysicsState.HasPhysicsBsp"/>).
+    /// word says otherwise (<c>PhysicsState.HasPhysicsBsp</c>).
     /// </summary>
     /// <remarks>Retail: CPartArray::CacheHasPhysicsBSP. Never taken from the record's flag.</remarks>
     public bool HasPhysicsBsp { get; private init; }
@@ -204,16 +203,16 @@ public sealed class SetupAsset
         return asset;
     }
 
-    /// <summary>Where a part is in the world.</summary>
-    /// <param name="target">Where the object is.</param>
+    /// <summary>Where a part is, in the coordinates of the object's landblock.</summary>
+    /// <param name="target">Where the object is there.</param>
     /// <param name="pose">Frame of the part in the object's frame at scale 1.</param>
     /// <param name="scale">The object's scale.</param>
     /// <remarks>Retail: CPartArray::UpdateParts, Frame::combine.</remarks>
-    internal static Position PlacePart(in Position target, in Frame pose, float scale)
+    internal static Frame PlacePart(in Frame target, in Frame pose, float scale)
     {
         Frame scaled = pose;
         scaled.Origin = RetailMath.Scale(pose.Origin, scale);
-        return new Position(target.CellId, Frame.Combine(target.Frame, scaled));
+        return Frame.Combine(target, scaled);
     }
 
     /// <summary>Adds a way of putting the object down, while the asset is being built; the first of two with one number counts.</summary>

@@ -3,7 +3,7 @@ using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Bodies;
 
-/// <summary>What the motion side needs to know of a body and may do to it. The other direction is <c>IBodyMovement</c>.</summary>
+/// <summary>What the motion side needs to know of a body and may do to it. The other direction is <c>IBodyDriver</c>.</summary>
 /// <remarks>Retail: the members of CPhysicsObj that CMotionInterp uses; specification 01 and 02, 4.10.</remarks>
 internal interface IMotionBody
 {

@@ -5,13 +5,9 @@ using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Bodies;
 
-/// <content>Taking over the result of a transition.</content>
+/// <content>Taking over the result of a transition: place, contact, reports, bounce, stop.</content>
 public sealed partial class PhysicsBody
 {
-    /// <summary>What the body is between two quanta.</summary>
-    internal BodySeat CurrentSeat =>
-        new(PositionField, velocity, Transient, contactPlane, ContactPlaneCellId, SlidingNormal, collidingWithEnvironment);
-
     /// <summary>
     /// A transition may have decided that the body loses its velocity. To be asked as soon as it ends, whatever becomes of its result: retail stops the body from
     /// inside.
@@ -23,7 +19,7 @@ public sealed partial class PhysicsBody
         SetVelocity(Vector3.Zero);
     }
 
-    /// <summary>Takes over the result of a transition. The order of the steps is load-bearing.</summary>
+    /// <summary>Takes over the result of a transition. The order of what follows is load-bearing.</summary>
     /// <remarks>Retail: CPhysicsObj::SetPositionInternal(CTransition*) @0x00515330.</remarks>
     private void Commit(Transition transition, double simulatedTime)
     {
@@ -53,7 +49,7 @@ public sealed partial class PhysicsBody
         {
             bool stood = OnWalkable;
             Transient &= ~TransientState.OnWalkable;
-            if (stood) Movement?.LeaveGround();
+            if (stood) driver.LeaveGround();
             CalcAcceleration();
         }
 
@@ -65,8 +61,43 @@ public sealed partial class PhysicsBody
         HandleAllCollisions(collision, hadContact, hadWalkable, simulatedTime);
 
         if (Cell is null) return;
-        if (State.Has(PhysicsState.HasPhysicsBsp)) engine.Cells.CalcCrossCells(this);
-        else if (transition.Cells.Count > 0) engine.Cells.PlaceShadows(this, transition.Cells);
+        if (State.Has(PhysicsState.HasPhysicsBsp)) population.Cells.CalcCrossCells(this);
+        else if (transition.Cells.Count > 0) population.Cells.PlaceShadows(this, transition.Cells);
+    }
+
+    /// <summary>Reports, then bounces or stops, then keeps count of failed moves.</summary>
+    /// <returns>True when something was reported.</returns>
+    /// <remarks>Retail: CPhysicsObj::handle_all_collisions @0x00514780. Reports see the velocity before the bounce.</remarks>
+    internal bool HandleAllCollisions(CollisionInfo info, bool hadContact, bool hadWalkable, double simulatedTime)
+    {
+        bool nowWalkable = OnWalkable;
+        bool mayBounce = !hadWalkable || !nowWalkable || State.Has(PhysicsState.Sledding);
+        bool reported = collisions.Report(info, hadContact, landed: !hadWalkable && nowWalkable, simulatedTime);
+
+        int stationary = info.FramesStationaryFall;
+        if (stationary >= 2) velocity = Vector3.Zero;
+        else if (mayBounce && info.CollisionNormalValid) Bounce(info.CollisionNormal);
+
+        if (stationary is 0 or 3) Transient &= ~TransientState.StationaryMask;
+        else if (stationary == 1) Transient |= TransientState.StationaryFall;
+        else if (stationary == 2) Transient |= TransientState.StationaryStop;
+        return reported;
+    }
+
+    /// <summary>Reflects the velocity into the obstacle, nearly all of it lost.</summary>
+    internal void Bounce(in Vector3 normal)
+    {
+        if (State.Has(PhysicsState.Inelastic))
+        {
+            velocity = Vector3.Zero;
+            return;
+        }
+
+        double dot = RetailMath.Dot(velocity, normal);
+        if (dot >= 0) return;
+        double k = -(dot * ((double)Elasticity + 1.0));
+        velocity = new Vector3(
+            (float)((k * normal.X) + velocity.X), (float)((float)(k * normal.Y) + (double)velocity.Y), (float)((float)(k * normal.Z) + (double)velocity.Z));
     }
 
     /// <summary>Stores a frame; one whose orientation alone is broken gets a zero quaternion, as in retail.</summary>

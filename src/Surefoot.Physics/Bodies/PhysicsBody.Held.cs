@@ -21,13 +21,13 @@ public sealed partial class PhysicsBody
     /// <returns>
     /// False when the holder has no such location, is this body, or is held by it at any remove; nothing has changed then.
     /// </returns>
-    /// <exception cref="ArgumentException">The holder belongs to another engine.</exception>
-    /// <exception cref="InvalidOperationException">One of them was removed from the engine.</exception>
+    /// <exception cref="ArgumentException">The holder belongs to another population.</exception>
+    /// <exception cref="InvalidOperationException">One of them was removed from the population.</exception>
     /// <remarks>Retail: CPhysicsObj::set_parent @0x00515A90. Of rings it refuses only the smallest.</remarks>
     public bool SetParent(PhysicsBody holder, uint location)
     {
         ArgumentNullException.ThrowIfNull(holder);
-        if (!ReferenceEquals(holder.engine, engine)) throw new ArgumentException("The holder belongs to another engine.", nameof(holder));
+        if (!ReferenceEquals(holder.population, population)) throw new ArgumentException("The holder belongs to another population.", nameof(holder));
         ThrowIfRemoved();
         holder.ThrowIfRemoved();
         if (holder.IsHeldBy(this) || holder.Setup is not { } shape) return false;
@@ -63,7 +63,7 @@ public sealed partial class PhysicsBody
         if (!holder.KeepsParts) holder.ForgetParts();
         if (holder.State.Has(PhysicsState.Hidden)) State &= ~PhysicsState.NoDraw;
         Parent = null;
-        updateTime = engine.Now;
+        updateTime = population.Now;
         ClearTransientStates();
     }
 
@@ -103,7 +103,7 @@ public sealed partial class PhysicsBody
     /// <remarks>Retail: CPhysicsObj::recalc_cross_cells @0x00515A30.</remarks>
     private void RecalcCrossCells()
     {
-        if (Setup is not null && PositionField.CellId != 0) engine.World.CalcCrossCells(this);
+        if (Setup is not null && PositionField.CellId != 0) population.Cells.CalcCrossCells(this);
         for (int i = 0; i < HeldCount; i++) HeldBody(i).RecalcCrossCells();
     }
 

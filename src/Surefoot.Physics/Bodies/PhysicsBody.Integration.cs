@@ -37,7 +37,7 @@ public sealed partial class PhysicsBody
             return;
         }
 
-        if (engine.Player is { } player)
+        if (population.Player is { } player)
         {
             double distance = player.Position.DistanceTo(PositionField);
             PlayerDistance = (float)distance;
@@ -80,7 +80,7 @@ public sealed partial class PhysicsBody
     /// <summary>Advances the body by one quantum now, whatever the engine's clock says: for replays and tests.</summary>
     /// <param name="quantum">Seconds, more than 0.</param>
     /// <exception cref="ArgumentOutOfRangeException">The quantum is not a positive finite number.</exception>
-    public void Step(float quantum) => Step(quantum, sweepWithoutSpheres: false);
+    public void AdvanceQuantum(float quantum) => AdvanceQuantum(quantum, sweepWithoutSpheres: false);
 
     /// <summary>The same.</summary>
     /// <param name="quantum">Seconds, more than 0.</param>
@@ -88,7 +88,7 @@ public sealed partial class PhysicsBody
     /// Let a body without spheres move by the dummy sphere of its transition. In a tick such a body stays where it is (specification 02, 4.4, step 5);
     /// recorded walks leave that rule out.
     /// </param>
-    internal void Step(float quantum, bool sweepWithoutSpheres)
+    internal void AdvanceQuantum(float quantum, bool sweepWithoutSpheres)
     {
         if (!(quantum > 0) || !float.IsFinite(quantum)) throw new ArgumentOutOfRangeException(nameof(quantum), quantum, "A quantum is a positive number of seconds.");
         updateTime += quantum;
@@ -115,7 +115,7 @@ public sealed partial class PhysicsBody
         Position proposal = new(PositionField.CellId, UpdatePositionInternal(quantum, simulatedTime));
         if (!sweepWithoutSpheres && (Setup is null || Setup.Spheres.Length == 0))
         {
-            if (Movement is null && OnWalkable) Transient &= ~TransientState.Active;
+            if (!driver.HasMotions && OnWalkable) Transient &= ~TransientState.Active;
             TurnOnly(proposal.Frame);
         }
         else if (RetailMath.NearlyEqual(proposal.Frame.Origin, PositionField.Frame.Origin))
@@ -128,24 +128,21 @@ public sealed partial class PhysicsBody
             TryProposal(proposal, quantum, simulatedTime);
         }
 
-        // The order is retail's: targets, move-to and pending motions, then blips and the end of sticking.
-        Steering?.HandleTargetting(simulatedTime);
-        Movement?.UseTime();
-        Steering?.UseTime();
+        driver.EndQuantum(simulatedTime);
     }
 
     private void TryProposal(in Position proposal, float quantum, double simulatedTime)
     {
-        if (!engine.Transitions.TryRent(out Transition? transition, Trace))
+        if (!population.Transitions.TryRent(out Transition? transition, Trace))
         {
             TurnOnly(proposal.Frame);
             return;
         }
 
         bool found = transition.Sweep(this, CurrentSeat, Cell, proposal);
-        engine.Transitions.Return();
+        population.Transitions.Return();
         TakeStop(transition);
-        if (!found || (engine.RefuseLeavingCells && transition.Path.CurrCell is null))
+        if (!found || (population.RefuseLeavingCells && transition.Path.CurrCell is null))
         {
             TurnOnly(proposal.Frame);
             return;
@@ -187,11 +184,11 @@ public sealed partial class PhysicsBody
         bool hidden = State.Has(PhysicsState.Hidden);
         if (!hidden)
         {
-            Movement?.AccumulateRootMotion(quantum, ref offset);
+            driver.AccumulateRootMotion(quantum, ref offset);
             offset.Origin = RetailMath.Scale(offset.Origin, OnWalkable ? Scale : 0.0);
         }
 
-        Steering?.AdjustOffset(ref offset, quantum);
+        driver.AdjustOffset(ref offset, quantum);
         Frame proposal = Frame.Combine(PositionField.Frame, offset);
         if (!hidden) UpdatePhysicsInternal(quantum, ref proposal);
         ProcessHooks(simulatedTime);
@@ -208,7 +205,7 @@ public sealed partial class PhysicsBody
         float speedSquared = (float)RetailMath.LengthSquared(velocity);
         if (speedSquared <= 0)
         {
-            if (Movement is null && OnWalkable) Transient &= ~TransientState.Active;
+            if (!driver.HasMotions && OnWalkable) Transient &= ~TransientState.Active;
         }
         else
         {

@@ -27,7 +27,7 @@ public sealed partial class PhysicsBody
     public void SetPlacement(uint value)
     {
         if (Setup is not null && !Setup.HasPlacement(value))
-            engine.Cells.LeftOut.Add(new LeftOutItem(LeftOutKind.Placement, Setup.Id, $"the setup has no placement 0x{value:X}") { FirstIn = Id });
+            population.Cells.LeftOut.Add(new LeftOutItem(LeftOutKind.Placement, Setup.Id, $"the setup has no placement 0x{value:X}") { FirstIn = Id });
         placement = value;
         UpdateParts();
     }
@@ -52,7 +52,7 @@ public sealed partial class PhysicsBody
     private void UpdateParts()
     {
         if (Setup is null || !KeepsParts || State.Has(PhysicsState.ParticleEmitter)) return;
-        ReadOnlySpan<Frame> pose = Movement is null ? [] : Movement.PartFrames;
+        ReadOnlySpan<Frame> pose = driver.PartFrames;
         PlaceParts(pose.IsEmpty ? StillPose : pose, Scale);
     }
 
@@ -62,7 +62,7 @@ public sealed partial class PhysicsBody
     {
         quantumTime = simulatedTime;
         Scale = tweens.Advance(Scale, simulatedTime);
-        Movement?.ProcessHooks(this);
+        driver.ProcessHooks();
         quantumTime = null;
     }
 }

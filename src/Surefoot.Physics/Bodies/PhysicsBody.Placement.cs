@@ -3,66 +3,146 @@ using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Bodies;
 
-/// <summary>How a body is to be put somewhere.</summary>
-[Flags]
-public enum PlacementFlags
-{
-    /// <summary>Exactly there, or not at all.</summary>
-    None = 0,
-
-    /// <summary>Informational.</summary>
-    Placement = 0x1,
-
-    /// <summary>Informational.</summary>
-    Teleport = 0x2,
-
-    /// <summary>The search may move the body to a free place near by.</summary>
-    Slide = 0x10,
-
-    /// <summary>Cells that are not resident are not created.</summary>
-    DoNotCreateCells = 0x20,
-
-    /// <summary>On failure try scattered positions.</summary>
-    Scatter = 0x100,
-
-    /// <summary>Only scattered positions.</summary>
-    RandomScatter = 0x200,
-
-    /// <summary>A server would be told.</summary>
-    SendPositionEvent = 0x1000,
-}
-
-/// <summary>Outcome of a placement.</summary>
-public enum PlacementResult
-{
-    /// <summary>Placed, or parked because the cell is not loaded.</summary>
-    OK = 0,
-
-    /// <summary>Could not be tried.</summary>
-    GeneralFailure = 1,
-
-    /// <summary>No free place.</summary>
-    NoValidPosition = 2,
-
-    /// <summary>No cell.</summary>
-    NoCell = 3,
-
-    /// <summary>No free place, and a collision was reported.</summary>
-    Collided = 4,
-}
-
-/// <summary>A request to put a body somewhere.</summary>
-/// <param name="Position">Where.</param>
-/// <param name="Flags">How.</param>
-/// <param name="RadiusX">Reach of scattered positions east and west, metres.</param>
-/// <param name="RadiusY">Reach of scattered positions north and south, metres.</param>
-/// <param name="Tries">How many scattered positions are tried.</param>
-public readonly record struct PlacementRequest(
-    Position Position, PlacementFlags Flags = PlacementFlags.None, float RadiusX = 0, float RadiusY = 0, int Tries = 0);
-
-/// <content>Putting a body somewhere.</content>
+/// <content>Entering and leaving the world and its cells, and being put somewhere.</content>
 public sealed partial class PhysicsBody
 {
+    /// <summary>The body waits for its cell to be loaded.</summary>
+    public bool IsLost { get; private set; }
+
+    /// <summary>Comes into the world at a position, moved to a free place near by when it is taken.</summary>
+    /// <returns>True when it is in the world, or waits for its cell to be loaded.</returns>
+    /// <remarks>Retail: CPhysicsObj::enter_world(pos) @0x00516310.</remarks>
+    /// <exception cref="ArgumentException">The position is not finite, or its id cannot name a cell; nothing has changed.</exception>
+    /// <exception cref="InvalidOperationException">The body was removed from its population.</exception>
+    public bool EnterWorld(in Position position, bool slide = true)
+    {
+        ThrowIfBad(position);
+        ThrowIfRemoved();
+        if (Parent is not null) return false;
+        StorePosition(position);
+        updateTime = population.Now;
+        PlacementFlags flags = PlacementFlags.Placement | (slide ? PlacementFlags.Slide : PlacementFlags.None);
+        if (SetPosition(new PlacementRequest(PositionField, flags)) != PlacementResult.OK) return false;
+        // Also when it waits for its cell: the next tick puts such a body to sleep again.
+        SetActive(true);
+        driver.HandleEnterWorld();
+        return true;
+    }
+
+    /// <summary>Leaves the world; every touch ends.</summary>
+    /// <remarks>Retail: CPhysicsObj::leave_world @0x005155A0.</remarks>
+    public void LeaveWorld()
+    {
+        collisions.ReportEnd(updateTime, force: true);
+        IsLost = false;
+        Transient &= ~TransientState.Active;
+        population.Cells.RemoveShadows(this);
+        LeaveCell();
+        PositionField.CellId = 0;
+        ClearTransientStates();
+    }
+
+    /// <summary>Leaves the world for good: what is pending fails, whoever tracks the body is told, every touch ends.</summary>
+    /// <remarks>Retail: CPhysicsObj::exit_world @0x00514E60.</remarks>
+    internal void ExitWorld()
+    {
+        driver.HandleExitWorld();
+        collisions.ReportEnd(updateTime, force: true);
+    }
+
+    /// <summary>What a teleport ends: a move-to, corrections under way, sticking, tracking, touches.</summary>
+    /// <remarks>Retail: CPhysicsObj::teleport_hook @0x00514ED0.</remarks>
+    internal void TeleportHook()
+    {
+        driver.HandleTeleport();
+        collisions.ReportEnd(updateTime, force: true);
+    }
+
+    /// <summary>The landblock that holds the body's cell goes away; the body waits for it.</summary>
+    /// <remarks>Retail: CPhysicsObj::leave_visibility @0x00514220.</remarks>
+    internal void LeaveVisibility() => GoToLostCell(PositionField);
+
+    /// <summary>The cell the body waited for is there again.</summary>
+    /// <remarks>Retail: CPhysicsObj::reenter_visibility @0x00516250.</remarks>
+    /// <returns>False when nothing was free there.</returns>
+    internal bool ReenterVisibility() =>
+        Place(new PlacementRequest(PositionField, PlacementFlags.Placement | PlacementFlags.Slide)) == PlacementResult.OK;
+
+    private void ThrowIfRemoved()
+    {
+        if (!ReferenceEquals(population.Find(Id), this))
+            throw new InvalidOperationException($"The body 0x{Id:X8} was removed from its engine; make a new one.");
+    }
+
+    private void PrepareToEnterWorld()
+    {
+        updateTime = population.Now;
+        IsLost = false;
+        SetActive(true);
+    }
+
+    /// <summary>Parks the body at a place whose cell is not loaded.</summary>
+    private void GoToLostCell(in Position place)
+    {
+        population.Cells.RemoveShadows(this);
+        LeaveCell();
+        StorePosition(place);
+        IsLost = true;
+        Transient &= ~TransientState.Active;
+    }
+
+    /// <remarks>Retail: CPhysicsObj::store_position @0x005141A0.</remarks>
+    private void StorePosition(Position place)
+    {
+        if (CellIds.IsOutdoor(place.CellId)) place.AdjustToOutside();
+        PositionField.CellId = place.CellId;
+        SetFrame(place.Frame);
+    }
+
+    /// <remarks>Retail: CPhysicsObj::change_cell @0x00513390.</remarks>
+    private void ChangeCell(ObjCell cell)
+    {
+        LeaveCell();
+        EnterCell(cell);
+    }
+
+    /// <summary>Goes into a cell, with all that the body holds; one without parts is in none.</summary>
+    /// <remarks>Retail: CPhysicsObj::enter_cell @0x00510ED0.</remarks>
+    private void EnterCell(ObjCell cell)
+    {
+        if (Setup is null) return;
+        for (int i = 0; i < HeldCount; i++) HeldBody(i).EnterCell(cell);
+        Cell = cell;
+        PositionField.CellId = cell.Id;
+    }
+
+    /// <summary>Leaves the cell with all that the body holds; its id stays.</summary>
+    private void LeaveCell()
+    {
+        if (Cell is null) return;
+        for (int i = 0; i < HeldCount; i++) HeldBody(i).LeaveCell();
+        Cell = null;
+    }
+
+    /// <summary>The id of the cell the body is in, for it and for what it holds itself.</summary>
+    private void SetCellId(uint id)
+    {
+        PositionField.CellId = id;
+        for (int i = 0; i < HeldCount; i++) HeldBody(i).PositionField.CellId = id;
+    }
+
+    /// <remarks>Retail: CPhysicsObj::clear_transient_states @0x00511BF0.</remarks>
+    private void ClearTransientStates()
+    {
+        Transient &= ~TransientState.Contact;
+        CalcAcceleration();
+        bool stood = OnWalkable;
+        Transient &= ~(TransientState.OnWalkable | TransientState.WaterContact);
+        if (stood) driver.LeaveGround();
+        CalcAcceleration();
+        Transient &= ~(TransientState.Sliding | TransientState.StationaryMask | TransientState.Active | TransientState.CheckEthereal);
+    }
+
     /// <summary>Puts the body somewhere. No contact and no wall of where it was is taken along.</summary>
     /// <exception cref="ArgumentException">
     /// The position or a radius is not finite, or the id cannot name a cell; nothing has changed.
@@ -79,7 +159,7 @@ public sealed partial class PhysicsBody
 
     private PlacementResult Place(in PlacementRequest request)
     {
-        if (!engine.Transitions.TryRent(out Transition? transition, Trace)) return PlacementResult.GeneralFailure;
+        if (!population.Transitions.TryRent(out Transition? transition, Trace)) return PlacementResult.GeneralFailure;
         transition.SeedMover(this, MoverFlags.None);
         PlacementResult result;
         if ((request.Flags & PlacementFlags.RandomScatter) != 0)
@@ -92,7 +172,7 @@ public sealed partial class PhysicsBody
             if (result != PlacementResult.OK && (request.Flags & PlacementFlags.Scatter) != 0) result = Scatter(request, transition);
         }
 
-        engine.Transitions.Return();
+        population.Transitions.Return();
         return result;
     }
 
@@ -110,7 +190,7 @@ public sealed partial class PhysicsBody
         for (int i = 0; i < request.Tries && result != PlacementResult.OK; i++)
         {
             Position place = request.Position;
-            double rollX = engine.NextRoll(), rollY = engine.NextRoll();
+            double rollX = population.NextRoll(), rollY = population.NextRoll();
             place.Frame.Origin.X = (float)((float)(rollX * request.RadiusX) + (double)place.Frame.Origin.X);
             place.Frame.Origin.Y = (float)((rollY * request.RadiusY) + place.Frame.Origin.Y);
             result = PlaceAt(place, request.Flags, transition);
@@ -123,7 +203,7 @@ public sealed partial class PhysicsBody
     private PlacementResult PlaceAt(Position place, PlacementFlags flags, Transition transition)
     {
         if (Cell is null) PrepareToEnterWorld();
-        engine.Cells.AdjustPosition(ref place, TransitionSeeds.FootOf(this), out ObjCell? cell);
+        population.Cells.AdjustPosition(ref place, TransitionSeeds.FootOf(this), out ObjCell? cell);
         if (cell is null)
         {
             GoToLostCell(place);
@@ -148,7 +228,7 @@ public sealed partial class PhysicsBody
         SetFrame(place.Frame);
         if (ReferenceEquals(cell, Cell)) return PlacementResult.OK;
         ChangeCell(cell);
-        engine.Cells.CalcCrossCells(this);
+        population.Cells.CalcCrossCells(this);
         return PlacementResult.OK;
     }
 

@@ -32,7 +32,7 @@ public sealed partial class PhysicsBody
             DrawHeld(false);
             if (State.Has(PhysicsState.ReportCollisions))
             {
-                ReportCollisionEnd(updateTime, force: true);
+                collisions.ReportEnd(updateTime, force: true);
                 State &= ~PhysicsState.ReportCollisions;
             }
 
@@ -45,11 +45,11 @@ public sealed partial class PhysicsBody
             if (!State.Has(PhysicsState.ReportCollisions))
             {
                 State |= PhysicsState.ReportCollisions;
-                ReportCollisionStart();
+                collisions.ReportStart();
             }
         }
 
-        Movement?.HandleEnterWorld();
+        driver.HandleEnterWorld();
     }
 
     /// <summary>Makes the body let others through, or solid again as soon as nothing overlaps it.</summary>
@@ -65,7 +65,7 @@ public sealed partial class PhysicsBody
         }
 
         State &= ~PhysicsState.Ethereal;
-        if (Parent is not null || Cell is null || !engine.Cells.AnyOverlaps(this))
+        if (Parent is not null || Cell is null || !population.Cells.AnyOverlaps(this))
         {
             Transient &= ~TransientState.CheckEthereal;
             return true;
@@ -84,19 +84,18 @@ public sealed partial class PhysicsBody
         if (State.Has(PhysicsState.Static) && State.Has(PhysicsState.Missile | PhysicsState.AlignPath | PhysicsState.Sledding))
             List("STATIC, but MISSILE, ALIGNPATH or SLEDDING as well");
 
-        void List(string reason) => engine.Cells.LeftOut.Add(new LeftOutItem(LeftOutKind.StateBit, Setup?.Id ?? 0, reason) { FirstIn = Id });
+        void List(string reason) => population.Cells.LeftOut.Add(new LeftOutItem(LeftOutKind.StateBit, Setup?.Id ?? 0, reason) { FirstIn = Id });
     }
 
-    /// <summary>Would <paramref name="target"/> be hit by this body where it stands?</summary>
-    /// <remarks>Retail: CPhysicsObj::check_collision @0x00512ED0.</remarks>
-    internal bool Overlaps(WorldObject target)
+    /// <inheritdoc/>
+    internal override bool Overlaps(WorldObject target)
     {
         if (State.Has(PhysicsState.Static)) return false;
-        if (!engine.Transitions.TryRent(out Transition? transition)) return false;
+        if (!population.Transitions.TryRent(out Transition? transition)) return false;
         transition.SeedMover(this, transition.SeedContact(this, CurrentSeat));
         transition.Path.InitPath(Cell, hasBegin: true, PositionField, PositionField);
         bool hit = transition.CheckCollisions(target);
-        engine.Transitions.Return();
+        population.Transitions.Return();
         return hit;
     }
 }

@@ -13,21 +13,15 @@ public sealed partial class PhysicsBody
     public float PlayerDistance { get; private set; } = float.MaxValue;
 
     /// <summary>Moves or turns to a place or an object by itself.</summary>
-    public bool IsMovingTo => Movement is { IsMovingTo: true };
+    public bool IsMovingTo => driver.IsMovingTo;
 
     /// <summary>Follows positions that a server told.</summary>
     /// <remarks>Retail: CPhysicsObj::IsInterpolating @0x0050EB50.</remarks>
-    public bool IsInterpolating => Steering is { IsInterpolating: true };
+    public bool IsInterpolating => driver.IsInterpolating;
 
     /// <summary>Id of the object the body sticks to, 0 for none.</summary>
     /// <remarks>Retail: CPhysicsObj::get_sticky_object_id @0x0050EAF0.</remarks>
-    public uint StickyObjectId => Steering?.StickyObjectId ?? 0;
-
-    /// <summary>The managers, or null while none is needed.</summary>
-    internal IBodySteering? Steering { get; private set; }
-
-    /// <summary>The managers, made when they are first asked for.</summary>
-    internal IBodySteering MakeSteering() => Steering ??= PhysicsEngine.MakeSteering(this);
+    public uint StickyObjectId => driver.StickyObjectId;
 
     /// <summary>Follows a position that a server told, at twice the running speed; one too far away is jumped to.</summary>
     /// <param name="place">Where the body is to be.</param>
@@ -36,12 +30,12 @@ public sealed partial class PhysicsBody
     public void InterpolateTo(in Position place, bool keepHeading = false)
     {
         ThrowIfBad(place);
-        MakeSteering().InterpolateTo(place, keepHeading);
+        driver.InterpolateTo(place, keepHeading);
     }
 
     /// <summary>Forgets the positions to follow.</summary>
     /// <remarks>Retail: CPhysicsObj::StopInterpolating @0x0050EB40.</remarks>
-    public void StopInterpolating() => Steering?.StopInterpolating();
+    public void StopInterpolating() => driver.StopInterpolating();
 
     /// <summary>Ties a leash: while the body has contact, its own motion is braked after some path and then held.</summary>
     /// <param name="place">Where it is tied; the way from there to the body counts as path.</param>
@@ -53,21 +47,21 @@ public sealed partial class PhysicsBody
         ThrowIfBad(place);
         if (!float.IsFinite(start) || !float.IsFinite(max))
             throw new ArgumentException("A length of a leash is not finite.", nameof(start));
-        MakeSteering().ConstrainTo(place, start, max);
+        driver.ConstrainTo(place, start, max);
     }
 
     /// <summary>Unties the leash.</summary>
-    public void Unconstrain() => Steering?.Unconstrain();
+    public void Unconstrain() => driver.Unconstrain();
 
     /// <summary>Stays next to an object, facing it, for a second; nothing when there is no such object.</summary>
-    public void StickToObject(uint id) => MakeSteering().StickToObject(id);
+    public void StickToObject(uint id) => driver.StickToObject(id);
 
     /// <summary>Lets go of what the body sticks to.</summary>
     /// <remarks>Retail: CPhysicsObj::unstick_from_object @0x0050EAE0.</remarks>
-    public void Unstick() => Steering?.Unstick();
+    public void Unstick() => driver.Unstick();
 
     /// <summary>Ends a move-to or turn-to under way.</summary>
-    public void CancelMoveTo() => Movement?.CancelMoveTo();
+    public void CancelMoveTo() => driver.CancelMoveTo();
 
     /// <summary>
     /// Does what a server's position says: teleports, follows, or is put there when far from the local player; then ties the leash anew.
@@ -79,6 +73,6 @@ public sealed partial class PhysicsBody
     public PositionUpdate MoveOrTeleport(in Position place, bool teleported, bool contact)
     {
         ThrowIfBad(place);
-        return MakeSteering().MoveOrTeleport(place, teleported, contact);
+        return driver.MoveOrTeleport(place, teleported, contact);
     }
 }

@@ -7,8 +7,8 @@ using Surefoot.Physics.World;
 namespace Surefoot.Physics.Bodies;
 
 /// <summary>
-/// A body that moves: state words, velocity, contact. Each verb has a file of its own: <c>Integration</c>, <c>Commit</c>, <c>Collisions</c>,
-/// <c>BodyPlacement</c>, <c>WorldEntry</c>.
+/// A body that moves: state words, velocity, contact. What happens to it has files of its own: <c>Integration</c>, <c>Commit</c>, <c>Placement</c>,
+/// <c>StateWord</c>, <c>Parts</c>, <c>Steering</c>.
 /// </summary>
 /// <remarks>Retail: CPhysicsObj; specification 02.</remarks>
 public sealed partial class PhysicsBody : WorldObject, IMotionBody, IHookTarget
@@ -23,19 +23,23 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody, IHookTarget
     /// <summary>A body of two spheres rarely reaches more cells.</summary>
     private const int UsualShadows = 16;
 
-    private readonly PhysicsEngine engine;
+    private readonly Population population;
+    private readonly IBodyDriver driver;
+    private readonly CollisionReporter collisions;
     private Vector3 velocity;
     private Vector3 omega;
     private Plane contactPlane;
     private double updateTime;
 
-    internal PhysicsBody(PhysicsEngine engine, uint id, SetupAsset? setup, PhysicsState state, WeenieTraits weenie, float scale)
+    internal PhysicsBody(Population population, uint id, SetupAsset? setup, PhysicsState state, WeenieTraits weenie, float scale)
         : base(id, setup, state)
     {
-        this.engine = engine;
+        this.population = population;
+        driver = population.MakeDriver(this);
+        collisions = new CollisionReporter(this);
         Weenie = weenie;
         Scale = scale;
-        updateTime = engine.Now;
+        updateTime = population.Now;
         Shadows = new ShadowObject[UsualShadows];
         UpdateParts();
     }
@@ -98,9 +102,6 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody, IHookTarget
     /// <summary>The last transition collided with terrain, a building, a room or a static object while without contact.</summary>
     public bool LastCollidedWithEnvironment { get; private set; }
 
-    /// <summary>The side that wants to move; null for a body without motions.</summary>
-    internal IBodyMovement? Movement { get; private set; }
-
     /// <summary>Is told of collisions.</summary>
     public ICollisionListener? Listener { get; set; }
 
@@ -117,17 +118,13 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody, IHookTarget
     public bool HasCell => Cell is not null;
 
     /// <inheritdoc/>
-    public bool IsFullyConstrained => Steering is { IsFullyConstrained: true };
+    public bool IsFullyConstrained => driver.IsFullyConstrained;
 
-    /// <summary>The engine the body lives in.</summary>
-    public PhysicsEngine Engine => engine;
+    /// <summary>The bodies it lives among.</summary>
+    internal Population Population => population;
 
-    /// <summary>Gives the body a side that wants to move, and wakes it.</summary>
-    internal void AttachMovement(IBodyMovement movement)
-    {
-        Movement = movement;
-        SetActive(true);
-    }
+    /// <summary>What drives it.</summary>
+    internal IBodyDriver Driver => driver;
 
     /// <summary>Sets the velocity, at most <see cref="MaxVelocity"/>, and wakes the body; a change within the tolerance is ignored.</summary>
     /// <param name="value">m/s, world axes.</param>
@@ -214,7 +211,7 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody, IHookTarget
         }
 
         if (State.Has(PhysicsState.Static)) return false;
-        if (!IsActive) updateTime = engine.Now;
+        if (!IsActive) updateTime = population.Now;
         Transient |= TransientState.Active;
         return true;
     }
@@ -225,20 +222,20 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody, IHookTarget
     {
         bool before = OnWalkable;
         Set(TransientState.OnWalkable, on);
-        if (before && !on) Movement?.LeaveGround();
-        else if (!before && on) Movement?.HitGround();
+        if (before && !on) driver.LeaveGround();
+        else if (!before && on) driver.HitGround();
         CalcAcceleration();
     }
 
     /// <summary>
-    /// Re-seats the body in the state of a recorded step, without any test: for replays, for saved states, and for servers that check a
+    /// Re-seats the body in the state of a recorded quantum, without any test: for replays, for saved states, and for servers that check a
     /// client's report.
     /// </summary>
     /// <exception cref="ArgumentException">A number of the state is not finite, or its id cannot name a cell; nothing has changed.</exception>
     public void Seat(in BodySeat seat)
     {
         seat.ThrowIfBad(nameof(seat));
-        SeatAt(seat.Position, engine.Cells.GetVisible(seat.Position.CellId));
+        SeatAt(seat.Position, population.Cells.GetVisible(seat.Position.CellId));
         UpdateParts();
         UpdateHeld();
         velocity = seat.Velocity;
@@ -246,8 +243,34 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody, IHookTarget
         contactPlane = seat.ContactPlane;
         ContactPlaneCellId = seat.ContactPlaneCellId;
         SlidingNormal = seat.SlidingNormal;
-        collidingWithEnvironment = seat.TouchesEnvironment;
+        collisions.TouchesEnvironment = seat.TouchesEnvironment;
         CalcAcceleration();
+    }
+
+    /// <summary>What the body is between two quanta.</summary>
+    internal BodySeat CurrentSeat =>
+        new(PositionField, velocity, Transient, contactPlane, ContactPlaneCellId, SlidingNormal, collisions.TouchesEnvironment);
+
+    /// <summary>Adds what of the body is state to a hash.</summary>
+    internal void AddTo(ref StateHash hash)
+    {
+        hash.Add(Id);
+        hash.Add((ulong)State);
+        hash.Add((ulong)Transient);
+        hash.Add(PositionField);
+        hash.Add(velocity);
+        hash.Add(omega);
+        hash.Add(contactPlane.Normal);
+        hash.Add(contactPlane.D);
+        hash.Add(ContactPlaneCellId);
+        hash.Add(SlidingNormal);
+        hash.Add(updateTime);
+        driver.AddTo(ref hash);
+        for (int i = 0; i < HeldCount; i++)
+        {
+            hash.Add(Held[i].Object.Id);
+            hash.Add(Held[i].Location);
+        }
     }
 
     /// <summary>Gravity, or nothing; a body that stands does not turn by itself either.</summary>
@@ -272,26 +295,5 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody, IHookTarget
     private static void ThrowIfNotFinite(in Vector3 value, string name)
     {
         if (!RetailMath.IsFinite(value)) throw new ArgumentException($"A component of {value} is not finite.", name);
-    }
-}
-
-/// <summary>The state of a body between two quanta.</summary>
-/// <param name="Position">Cell and frame.</param>
-/// <param name="Velocity">m/s, world axes.</param>
-/// <param name="Transient">Changing bits.</param>
-/// <param name="ContactPlane">The plane touched.</param>
-/// <param name="ContactPlaneCellId">Cell whose block frame the plane is in.</param>
-/// <param name="SlidingNormal">Normal of the wall slid along.</param>
-/// <param name="TouchesEnvironment">A collision with the environment was reported and has not ended.</param>
-public readonly record struct BodySeat(
-    Position Position, Vector3 Velocity, TransientState Transient, Plane ContactPlane, uint ContactPlaneCellId, Vector3 SlidingNormal,
-    bool TouchesEnvironment = false)
-{
-    internal void ThrowIfBad(string name)
-    {
-        PhysicsBody.ThrowIfBad(Position, name);
-        if (!RetailMath.IsFinite(Velocity)) throw new ArgumentException("The velocity is not finite.", name);
-        if (!RetailMath.IsFinite(ContactPlane.Normal) || !float.IsFinite(ContactPlane.D)) throw new ArgumentException("The contact plane is not finite.", name);
-        if (!RetailMath.IsFinite(SlidingNormal)) throw new ArgumentException("The sliding normal is not finite.", name);
     }
 }

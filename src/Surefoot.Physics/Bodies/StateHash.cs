@@ -49,28 +49,3 @@ internal struct StateHash()
         Add(value.W);
     }
 }
-
-/// <content>What of a body is state.</content>
-public sealed partial class PhysicsBody
-{
-    internal void AddTo(ref StateHash hash)
-    {
-        hash.Add(Id);
-        hash.Add((ulong)State);
-        hash.Add((ulong)Transient);
-        hash.Add(PositionField);
-        hash.Add(velocity);
-        hash.Add(omega);
-        hash.Add(contactPlane.Normal);
-        hash.Add(contactPlane.D);
-        hash.Add(ContactPlaneCellId);
-        hash.Add(SlidingNormal);
-        hash.Add(updateTime);
-        Steering?.AddTo(ref hash);
-        for (int i = 0; i < HeldCount; i++)
-        {
-            hash.Add(Held[i].Object.Id);
-            hash.Add(Held[i].Location);
-        }
-    }
-}

@@ -18,10 +18,10 @@ public enum TraceKind : byte
     /// <summary>
     /// A sub-step begins. <see cref="TraceEntry.Offset"/> is its share of the way, before it is bent; the subject and the plane are what the body rests on.
     /// </summary>
-    StepBegins,
+    SubStepBegins,
 
     /// <summary>A sub-step is over: accepted, or refused and taken back. The subject and the plane are what the body rests on now.</summary>
-    StepEnds,
+    SubStepEnds,
 
     /// <summary>A sub-step was bent before it was tried. <see cref="TraceEntry.Offset"/> is what became of it, and the normal is that of what it was bent along.</summary>
     Bent,

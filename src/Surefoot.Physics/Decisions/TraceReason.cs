@@ -99,7 +99,7 @@ public enum TraceReason : byte
     /// <summary>Bent along the crease between the wall that was slid along before and the floor.</summary>
     AlongCrease,
 
-    /// <summary>A contact plane: the one of the step before holds again.</summary>
+    /// <summary>A contact plane: the one of the sub-step before holds again.</summary>
     Regained,
 
     /// <summary>A contact plane made up, because the body failed to move three times.</summary>

@@ -24,7 +24,7 @@ public sealed partial class WorldQuery
         input.Sphere.ThrowIfBad(nameof(input));
         Position place = new(input.CellId, input.Sphere.Center);
         PhysicsBody.ThrowIfBad(place, nameof(input));
-        engine.Cells.AdjustPosition(ref place, Vector3.Zero, out ObjCell? cell);
+        population.Cells.AdjustPosition(ref place, Vector3.Zero, out ObjCell? cell);
         if (cell is null) return new SphereOverlap(false, false, 0, TraceSubject.None);
 
         heard.Clear();
@@ -50,7 +50,7 @@ public sealed partial class WorldQuery
     {
         Position place = new(input.CellId, input.Point);
         PhysicsBody.ThrowIfBad(place, nameof(input));
-        engine.Cells.AdjustPosition(ref place, Vector3.Zero, out ObjCell? cell);
+        population.Cells.AdjustPosition(ref place, Vector3.Zero, out ObjCell? cell);
         if (cell is null) return new PointOverlap(false, false, 0, TraceSubject.None);
         TraceSubject subject = SolidAt(cell, place.Frame.Origin, input.Except);
         return new PointOverlap(subject.Kind != TraceSubjectKind.None, true, cell.Id, subject);

@@ -23,18 +23,15 @@ public sealed partial class WorldQuery
     /// <summary>A share of the foot's radius that is one sub-step whatever the rounding.</summary>
     private const float ProbeStep = 0.9375f;
 
-    private readonly PhysicsEngine engine;
+    private readonly Population population;
     private readonly TransitionPool work;
     private readonly TraceBuffer heard = new();
 
-    internal WorldQuery(PhysicsEngine engine)
+    internal WorldQuery(Population population)
     {
-        this.engine = engine;
-        work = new TransitionPool(engine.Cells);
+        this.population = population;
+        work = new TransitionPool(population.Cells);
     }
-
-    /// <summary>Whose world is asked.</summary>
-    public PhysicsEngine Engine => engine;
 
     /// <summary>Where a mover ends that goes a way in one quantum.</summary>
     /// <param name="input">Who goes where.</param>
@@ -51,7 +48,7 @@ public sealed partial class WorldQuery
         if (input.SlidingNormal is { } normal && !RetailMath.IsFinite(normal))
             throw new ArgumentException("The sliding normal is not finite.", nameof(input));
         Position from = input.From;
-        engine.Cells.AdjustPosition(ref from, TransitionSeeds.FootOf(input.Mover.Object), out ObjCell? cell);
+        population.Cells.AdjustPosition(ref from, TransitionSeeds.FootOf(input.Mover.Object), out ObjCell? cell);
         return Sweep(input.Mover.Object, input.Begin(from), cell, input.To, trace, nameof(input));
     }
 
@@ -65,7 +62,7 @@ public sealed partial class WorldQuery
     /// </exception>
     public SweepResult Sweep(PhysicsBody body, in Position to, TraceBuffer? trace = null)
     {
-        engine.ThrowIfForeign(body);
+        population.ThrowIfForeign(body);
         return Sweep(body, body.CurrentSeat, body.Cell, to, trace, nameof(to));
     }
 
@@ -84,9 +81,9 @@ public sealed partial class WorldQuery
     /// </exception>
     public SweepResult Sweep(PhysicsBody body, in BodySeat from, in Position to, TraceBuffer? trace = null)
     {
-        engine.ThrowIfForeign(body);
+        population.ThrowIfForeign(body);
         from.ThrowIfBad(nameof(from));
-        return Sweep(body, from, engine.Cells.GetVisible(from.Position.CellId), to, trace, nameof(to));
+        return Sweep(body, from, population.Cells.GetVisible(from.Position.CellId), to, trace, nameof(to));
     }
 
     /// <summary>Whether a mover can be put at a place, and where it would be then.</summary>
@@ -100,7 +97,7 @@ public sealed partial class WorldQuery
         PhysicsBody.ThrowIfBad(input.Position, nameof(input));
         WorldObject mover = input.Mover.Object;
         Position place = input.Position;
-        engine.Cells.AdjustPosition(ref place, TransitionSeeds.FootOf(mover), out ObjCell? cell);
+        population.Cells.AdjustPosition(ref place, TransitionSeeds.FootOf(mover), out ObjCell? cell);
         if (cell is null) return new PlaceResult(false, false, input.Position, null);
         if (PhysicsBody.HangsWhereItIsPut(mover.Weenie)) return new PlaceResult(true, true, place, null);
 
@@ -134,7 +131,7 @@ public sealed partial class WorldQuery
             throw new ArgumentException("The depth is not a positive finite number.", nameof(input));
         WorldObject mover = input.Mover.Object;
         Position at = input.From;
-        engine.Cells.AdjustPosition(ref at, TransitionSeeds.FootOf(mover), out ObjCell? cell);
+        population.Cells.AdjustPosition(ref at, TransitionSeeds.FootOf(mover), out ObjCell? cell);
         if (cell is null) return new ProbeDownResult(false, false, input.From, 0, null, TraceSubject.None);
 
         TraceBuffer told = trace ?? heard;

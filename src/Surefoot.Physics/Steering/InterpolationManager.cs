@@ -108,9 +108,9 @@ internal sealed class InterpolationManager(SteeredBody body)
 
         Frame way = here.RelativeFrame(head);
         double length = RetailMath.Length(way.Origin);
-        float step = (float)((double)speed * quantum);
+        float reach = (float)((double)speed * quantum);
         if (length <= Reached) CompleteNode(success: true);
-        if ((float)length > step) way.Origin = RetailMath.Scale(way.Origin, (float)((double)step / (float)length));
+        if ((float)length > reach) way.Origin = RetailMath.Scale(way.Origin, (float)((double)reach / (float)length));
         if (KeepsHeading) way.SetHeading(0);
         offset = way;
     }

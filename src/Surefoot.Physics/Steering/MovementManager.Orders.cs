@@ -189,7 +189,7 @@ public sealed partial class MovementManager
 
     private bool TryFind(uint id, [System.Diagnostics.CodeAnalysis.NotNullWhen(true)] out PhysicsBody? target, out uint topLevel)
     {
-        target = steered?.Engine.Find(id);
+        target = steered?.Population.Find(id);
         topLevel = target?.Parent?.Id ?? target?.Id ?? 0;
         return target is not null;
     }

@@ -11,39 +11,40 @@ internal abstract partial class SteeredBody
     /// <summary>From this distance to the local player on, a body is put where a server says it is, metres.</summary>
     private const float FarFromPlayer = 96f;
 
-    /// <inheritdoc/>
+    /// <inheritdoc cref="IBodyDriver.IsInterpolating"/>
     public bool IsInterpolating => position is { IsInterpolating: true };
 
-    /// <inheritdoc/>
+    /// <inheritdoc cref="IBodyDriver.IsFullyConstrained"/>
     public bool IsFullyConstrained => position is { IsFullyConstrained: true };
 
-    /// <inheritdoc/>
+    /// <inheritdoc cref="IBodyDriver.StickyObjectId"/>
     public uint StickyObjectId => position?.StickyObjectId ?? 0;
 
-    /// <inheritdoc/>
+    /// <inheritdoc cref="IBodyDriver.AdjustOffset"/>
     public void AdjustOffset(ref Frame offset, float quantum) => position?.AdjustOffset(ref offset, quantum);
 
-    /// <inheritdoc/>
+    /// <summary>First at the end of a quantum, before the motions: what is tracked, and who tracks.</summary>
+    /// <param name="physicsTime">Simulated time of the body, seconds.</param>
     public void HandleTargetting(double physicsTime) => targets?.HandleTargetting(physicsTime);
 
-    /// <inheritdoc/>
+    /// <summary>Last at the end of a quantum: blips, and the end of sticking.</summary>
     public void UseTime() => position?.UseTime();
 
-    /// <inheritdoc/>
+    /// <inheritdoc cref="IBodyDriver.InterpolateTo"/>
     /// <remarks>Retail: CPhysicsObj::InterpolateTo @0x005104F0.</remarks>
     public void InterpolateTo(in Position place, bool keepHeading) => MakePositionManager().InterpolateTo(place, keepHeading);
 
-    /// <inheritdoc/>
+    /// <inheritdoc cref="IBodyDriver.StopInterpolating"/>
     public void StopInterpolating() => position?.StopInterpolating();
 
-    /// <inheritdoc/>
+    /// <inheritdoc cref="IBodyDriver.ConstrainTo"/>
     /// <remarks>Retail: CPhysicsObj::ConstrainTo @0x00510520.</remarks>
     public void ConstrainTo(in Position place, float start, float max) => MakePositionManager().ConstrainTo(place, start, max);
 
-    /// <inheritdoc/>
+    /// <inheritdoc cref="IBodyDriver.Unconstrain"/>
     public void Unconstrain() => position?.Unconstrain();
 
-    /// <inheritdoc/>
+    /// <inheritdoc cref="IBodyDriver.StickToObject"/>
     /// <remarks>Retail: CPhysicsObj::stick_to_object @0x005127E0. What a creature holds is stuck to at the creature.</remarks>
     public void StickToObject(uint id)
     {
@@ -53,7 +54,7 @@ internal abstract partial class SteeredBody
         if (target is not null) manager.StickTo(target.Id, target.Radius);
     }
 
-    /// <inheritdoc/>
+    /// <inheritdoc cref="IBodyDriver.Unstick"/>
     public void Unstick() => position?.Unstick();
 
     /// <summary>Ends a move-to under way.</summary>
@@ -68,7 +69,7 @@ internal abstract partial class SteeredBody
     /// <summary>Tracks nothing any more.</summary>
     internal void ClearTarget() => targets?.ClearTarget();
 
-    /// <inheritdoc/>
+    /// <inheritdoc cref="IBodyDriver.MoveOrTeleport"/>
     /// <remarks>Retail: CPhysicsObj::MoveOrTeleport @0x00516330, and the leash that its caller ties.</remarks>
     public PositionUpdate MoveOrTeleport(in Position place, bool teleported, bool contact)
     {
@@ -101,7 +102,7 @@ internal abstract partial class SteeredBody
         return update;
     }
 
-    /// <inheritdoc/>
+    /// <inheritdoc cref="IBodyDriver.HandleTeleport"/>
     /// <remarks>Retail: CPhysicsObj::teleport_hook @0x00514ED0, all but its end of touches.</remarks>
     public void HandleTeleport()
     {
@@ -112,7 +113,7 @@ internal abstract partial class SteeredBody
         targets?.EndTracking(TargetStatus.Teleported);
     }
 
-    /// <inheritdoc/>
+    /// <summary>The body leaves the world: it lets go, and whoever tracks it is told.</summary>
     /// <remarks>Retail: CPhysicsObj::exit_world @0x00514E60, the part of these managers.</remarks>
     public void HandleExitWorld()
     {
@@ -120,7 +121,7 @@ internal abstract partial class SteeredBody
         targets?.EndTracking(TargetStatus.LeftWorld);
     }
 
-    /// <inheritdoc/>
+    /// <inheritdoc cref="IBodyDriver.AddTo"/>
     public void AddTo(ref StateHash hash)
     {
         position?.AddTo(ref hash);

@@ -1,5 +1,4 @@
 using System.Numerics;
-using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.World;
 
@@ -11,7 +10,7 @@ namespace Surefoot.Physics.Steering;
 /// a body has to offer; everything else in this folder is written on top of them.
 /// </summary>
 /// <remarks>Retail: the members of CPhysicsObj that its managers use; specification 09 and 09b.</remarks>
-internal abstract partial class SteeredBody : IBodySteering
+internal abstract partial class SteeredBody
 {
     private PositionManager? position;
     private TargetManager? targets;

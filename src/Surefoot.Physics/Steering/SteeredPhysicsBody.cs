@@ -6,7 +6,7 @@ using Surefoot.Physics.World;
 namespace Surefoot.Physics.Steering;
 
 /// <summary>A body of an engine, as its managers see it.</summary>
-internal sealed class SteeredPhysicsBody(PhysicsBody body) : SteeredBody
+internal sealed partial class SteeredPhysicsBody(PhysicsBody body) : SteeredBody
 {
     internal override uint Id => body.Id;
 
@@ -24,26 +24,29 @@ internal sealed class SteeredPhysicsBody(PhysicsBody body) : SteeredBody
 
     internal override bool HasCell => body.HasCell;
 
-    internal override bool IsLocalPlayer => ReferenceEquals(body.Engine.Player, body);
+    internal override bool IsLocalPlayer => ReferenceEquals(body.Population.Player, body);
 
     internal override float PlayerDistance => body.PlayerDistance;
 
-    internal override double Now => body.Engine.Now;
+    internal override double Now => body.Population.Now;
 
     internal override float MaxSpeed => GetInterpreter()?.MaxSpeed ?? 0f;
 
     internal override float AdjustedMaxSpeed => GetInterpreter()?.AdjustedMaxSpeed ?? 0f;
 
-    internal override bool MotionsPending => Movement is { MotionsPending: true };
+    internal override bool MotionsPending => Manager is { MotionsPending: true };
 
-    internal override MoveToManager? MoveTo => Movement?.MoveTo;
+    internal override MoveToManager? MoveTo => Manager?.MoveTo;
 
-    private MovementManager? Movement => body.Movement as MovementManager;
+    /// <summary>The motion side; null for a body without motions.</summary>
+    internal IBodyMovement? Movement { get; private set; }
 
-    /// <summary>What moves a body of an engine; made when it is first asked for.</summary>
-    internal static SteeredBody Of(PhysicsBody body) => (SteeredBody)body.MakeSteering();
+    private MovementManager? Manager => Movement as MovementManager;
 
-    internal override SteeredBody? Find(uint id) => body.Engine.Find(id) is { } other ? Of(other) : null;
+    /// <summary>What drives a body of an engine.</summary>
+    internal static SteeredPhysicsBody Of(PhysicsBody body) => (SteeredPhysicsBody)body.Driver;
+
+    internal override SteeredBody? Find(uint id) => body.Population.Find(id) is { } other ? Of(other) : null;
 
     internal override void Wake() => body.SetActive(true);
 
@@ -67,21 +70,21 @@ internal sealed class SteeredPhysicsBody(PhysicsBody body) : SteeredBody
         return interpreter.StopInterpretedMotion(motion, parameters);
     }
 
-    internal override void StopCompletely() => Movement?.StopCompletely();
+    internal override void StopCompletely() => Manager?.StopCompletely();
 
-    internal override void OnMoveToEnded(MotionError error) => Movement?.OnMoveToEnded(error);
+    internal override void OnMoveToEnded(MotionError error) => Manager?.OnMoveToEnded(error);
 
     /// <summary>The motion interpreter; a body without a movement side gets one in its default state.</summary>
     /// <returns>Null when something else than a movement manager moves the body.</returns>
     /// <remarks>Retail: CPhysicsObj::get_minterp @0x005120C0.</remarks>
     private MotionInterpreter? GetInterpreter()
     {
-        if (body.Movement is null)
+        if (Movement is null)
         {
             IWeenieObj? weenie = body.Weenie == WeenieTraits.None ? null : new OtherWeenie((body.Weenie & WeenieTraits.Creature) != 0);
-            body.AttachMovement(new MovementManager(body, table: null, weenie));
+            Attach(new MovementManager(body, table: null, weenie));
         }
 
-        return Movement?.Interpreter;
+        return Manager?.Interpreter;
     }
 }

@@ -71,7 +71,7 @@ internal sealed class StickyManager(SteeredBody body)
     /// <summary>Replaces place and heading of a quantum's motion.</summary>
     /// <remarks>
     /// Retail: StickyManager::adjust_offset @0x00555430. A body deep inside its target first moves further in: the way back is taken only
-    /// when one step is enough
+    /// when one quantum is enough
     /// for it.
     /// </remarks>
     internal void AdjustOffset(ref Frame offset, float quantum)
@@ -87,8 +87,8 @@ internal sealed class StickyManager(SteeredBody body)
         float maxSpeed = body.MaxSpeed;
         double speed = (double)SpeedFactor * maxSpeed;
         if (speed < RetailMath.Epsilon) speed = SpeedOfTheSpeedless;
-        double step = speed * quantum;
-        offset.Origin = RetailMath.Scale(way, step >= Math.Abs(gap) ? gap : step);
+        double reach = speed * quantum;
+        offset.Origin = RetailMath.Scale(way, reach >= Math.Abs(gap) ? gap : reach);
 
         float turn = (float)(here.HeadingTo(target) - here.Frame.Heading);
         if (Math.Abs(turn) < RetailMath.Epsilon) turn = 0;

@@ -11,7 +11,7 @@ internal sealed class CollisionInfo
 {
     private WorldObject[] objects = new WorldObject[8];
 
-    /// <summary>True when the body rests on <see cref="ContactPlane"/> in this step.</summary>
+    /// <summary>True when the body rests on <see cref="ContactPlane"/> in this sub-step.</summary>
     public bool ContactPlaneValid { get; set; }
 
     /// <summary>The plane rested on, in the block frame of <see cref="ContactPlaneCellId"/>.</summary>
@@ -23,16 +23,16 @@ internal sealed class CollisionInfo
     /// <summary>Cell whose block frame the contact plane is in.</summary>
     public uint ContactPlaneCellId { get; set; }
 
-    /// <summary>True when the last accepted step rested on something.</summary>
+    /// <summary>True when the last accepted sub-step rested on something.</summary>
     public bool LastKnownContactPlaneValid { get; set; }
 
-    /// <summary>Contact plane of the last accepted step.</summary>
+    /// <summary>Contact plane of the last accepted sub-step.</summary>
     public Plane LastKnownContactPlane { get; set; }
 
-    /// <summary>Water flag of the last accepted step.</summary>
+    /// <summary>Water flag of the last accepted sub-step.</summary>
     public bool LastKnownContactPlaneIsWater { get; set; }
 
-    /// <summary>Cell of the last accepted step's contact plane.</summary>
+    /// <summary>Cell of the last accepted sub-step's contact plane.</summary>
     public uint LastKnownContactPlaneCellId { get; set; }
 
     /// <summary>True while a wall is slid along; the normal may still be zero.</summary>
@@ -51,7 +51,7 @@ internal sealed class CollisionInfo
     public bool CollidedWithEnvironment { get; set; }
 
     /// <summary>
-    /// The mover loses its velocity, wherever it ends and even if it stays where it began: a step was taken back while it rested on something, or a landing was
+    /// The mover loses its velocity, wherever it ends and even if it stays where it began: a sub-step was taken back while it rested on something, or a landing was
     /// refused. Whoever ran the transition for a live body stops that body before anything else.
     /// </summary>
     /// <remarks>

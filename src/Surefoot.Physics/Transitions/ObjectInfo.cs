@@ -35,9 +35,6 @@ internal sealed class ObjectInfo
     /// <summary>The mover keeps to the ground: all but missiles.</summary>
     public bool KeepsToGround { get; private set; }
 
-    /// <summary>Id a missile is aimed at. Nothing in the client sets it.</summary>
-    public uint TargetId { get; internal set; }
-
     internal bool Has(MoverFlags flag) => (Flags & flag) != 0;
 
     internal void Reset()
@@ -46,7 +43,6 @@ internal sealed class ObjectInfo
         State = PhysicsState.None;
         Weenie = WeenieTraits.None;
         Flags = MoverFlags.None;
-        TargetId = 0;
     }
 
     /// <remarks>Retail: OBJECTINFO::init @0x0050CF30.</remarks>
@@ -70,13 +66,11 @@ internal sealed class ObjectInfo
     }
 
     /// <summary>True when a missile passes <paramref name="other"/>.</summary>
-    /// <remarks>Retail: OBJECTINFO::missile_ignore @0x0050CEB0.</remarks>
+    /// <remarks>Retail: OBJECTINFO::missile_ignore @0x0050CEB0, without what it does for a missile that is aimed at somebody: nothing in the client aims.</remarks>
     internal bool MissileIgnores(WorldObject other)
     {
         if (other.State.Has(PhysicsState.Missile)) return true;
-        if (!State.Has(PhysicsState.Missile)) return false;
-        if (other.Id == TargetId || other.Weenie == WeenieTraits.None) return false;
-        return other.State.Has(PhysicsState.Ethereal) || (TargetId != 0 && (other.Weenie & WeenieTraits.Creature) != 0);
+        return State.Has(PhysicsState.Missile) && other.Weenie != WeenieTraits.None && other.State.Has(PhysicsState.Ethereal);
     }
 
     /// <summary>A plane that can be walked on, by its unit normal.</summary>

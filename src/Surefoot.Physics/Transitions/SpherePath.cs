@@ -54,9 +54,9 @@ internal sealed class SpherePath
 
     internal Vector3 GlobalOffset;
 
-    internal bool StepUp;
+    internal bool SteppingUp;
     internal Vector3 StepUpNormal;
-    internal bool StepDown;
+    internal bool SteppingDown;
     internal float StepDownAmount;
     internal float WalkInterp;
     internal float WalkableAllowance;
@@ -67,7 +67,7 @@ internal sealed class SpherePath
     internal Position WalkablePos;
     internal float WalkableScale;
 
-    internal bool CheckWalkable;
+    internal bool CheckingWalkable;
     internal bool Collide;
 
     internal bool NegPolyHit;
@@ -75,7 +75,6 @@ internal sealed class SpherePath
     internal Vector3 NegCollisionNormal;
 
     internal bool ObstructionEthereal;
-    internal bool HitsInteriorCell;
     internal bool BuildingCheck;
     internal bool PlacementAllowsSliding;
 
@@ -97,8 +96,8 @@ internal sealed class SpherePath
         BeginCell = CurrCell = CheckCell = BackupCell = null;
         HasBegin = false;
         InsertType = InsertType.Transition;
-        StepDown = StepUp = Collide = HitsInteriorCell = BuildingCheck = ObstructionEthereal = false;
-        CheckWalkable = NegStepUp = NegPolyHit = false;
+        SteppingDown = SteppingUp = Collide = BuildingCheck = ObstructionEthereal = false;
+        CheckingWalkable = NegStepUp = NegPolyHit = false;
         WalkableAllowance = 0;
         Walkable = default;
         PlacementAllowsSliding = true;

@@ -67,7 +67,7 @@ internal sealed partial class Transition
         return state == TransitionState.Collided;
     }
 
-    /// <summary>Takes the part of the step that leads across the edge of the walkable polygon out of it.</summary>
+    /// <summary>Takes the part of the sub-step that leads across the edge of the walkable polygon out of it.</summary>
     /// <remarks>Retail: SPHEREPATH::precipice_slide @0x0050CC80.</remarks>
     private TransitionState PrecipiceSlide()
     {
@@ -79,7 +79,7 @@ internal sealed partial class Transition
             return TransitionState.Collided;
         }
 
-        Path.StepUp = false;
+        Path.SteppingUp = false;
         Vector3 normal = Path.WalkablePos.Frame.LocalToGlobalVector(edge);
         if (RetailMath.Dot(normal, Path.CurrToCheckDisplacement(0)) > 0) normal = -normal;
         Trace?.Responded(this, TransitionResponse.PrecipiceSlide, normal, true);
@@ -88,7 +88,7 @@ internal sealed partial class Transition
 
     /// <summary>Pushes the position under test along the foot or the brink of a slope that is too steep.</summary>
     /// <remarks>
-    /// Retail: CTransition::cliff_slide @0x0050A6D0. For a slope that rises ahead the push doubles the step instead of removing it; that
+    /// Retail: CTransition::cliff_slide @0x0050A6D0. For a slope that rises ahead the push doubles the sub-step instead of removing it; that
     /// stop-and-go along steep hillsides is retail's (specification 03, 4.7).
     /// </remarks>
     internal TransitionState CliffSlide(in Plane plane)

@@ -7,7 +7,7 @@ namespace Surefoot.Physics.Transitions;
 /// <content>Trying one position: the cells' answers, and what follows when they all say OK.</content>
 internal sealed partial class Transition
 {
-    private const int AttemptsPerStep = 3;
+    private const int AttemptsPerSubStep = 3;
     private const int AttemptsPerProbe = 5;
 
     /// <summary>Step height of a body that is not on walkable ground, metres.</summary>
@@ -46,13 +46,13 @@ internal sealed partial class Transition
 
             if (Path.Collide) return ConfirmLanding(attempts);
 
-            if (Path.NegPolyHit && !Path.StepDown && !Path.StepUp)
+            if (Path.NegPolyHit && !Path.SteppingDown && !Path.SteppingUp)
             {
                 state = AnswerDeferredHit(state);
                 continue;
             }
 
-            if (Collision.ContactPlaneValid || !Object.Has(MoverFlags.Contact) || Path.StepDown || Path.CheckCell is null || !Object.KeepsToGround)
+            if (Collision.ContactPlaneValid || !Object.Has(MoverFlags.Contact) || Path.SteppingDown || Path.CheckCell is null || !Object.KeepsToGround)
                 return TransitionState.OK;
 
             if (KeepToGround(out float height, out float walkableZ)) return TransitionState.OK;
@@ -163,9 +163,8 @@ internal sealed partial class Transition
     /// <remarks>Retail: CTransition::build_cell_array @0x00509EE0.</remarks>
     private void BuildCellArray()
     {
-        Path.HitsInteriorCell = false;
         ObjCell? home = null;
-        World.FindCellList(Cells, Path, wantHome: false, ref home);
+        World.FindCellList(Cells, Path.CheckPos, Path.CheckSpheres, wantHome: false, ref home);
     }
 
     /// <summary>Tests the other cells that the spheres reach, and finds the cell the body is in now.</summary>
@@ -175,9 +174,8 @@ internal sealed partial class Transition
     /// </remarks>
     private TransitionState CheckOtherCells(ObjCell? current)
     {
-        Path.HitsInteriorCell = false;
         ObjCell? home = null;
-        World.FindCellList(Cells, Path, wantHome: true, ref home);
+        World.FindCellList(Cells, Path.CheckPos, Path.CheckSpheres, wantHome: true, ref home);
         for (int i = 0; i < Cells.Count; i++)
         {
             ObjCell? cell = Cells[i].Cell;
@@ -197,7 +195,7 @@ internal sealed partial class Transition
             return TransitionState.OK;
         }
 
-        if (Path.StepDown) return TransitionState.Collided;
+        if (Path.SteppingDown) return TransitionState.Collided;
         Position place = Path.CheckPos;
         if (CellIds.IsOutdoor(place.CellId)) place.AdjustToOutside();
         if (place.CellId == 0) return TransitionState.Collided;

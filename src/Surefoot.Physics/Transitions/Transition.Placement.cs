@@ -98,7 +98,7 @@ internal sealed partial class Transition
     {
         Collision.SlidingNormalValid = false;
         Collision.VoidContactPlane();
-        return ValidatePlacementTransition(TransitionalInsert(AttemptsPerStep));
+        return ValidatePlacementTransition(TransitionalInsert(AttemptsPerSubStep));
     }
 
     /// <summary>Does the object overlap the body where it stands?</summary>
@@ -139,7 +139,7 @@ internal sealed partial class Transition
     private TransitionState PlacementInsert()
     {
         if (Path.CheckCell is null) return TransitionState.Collided;
-        TransitionState state = InsertIntoCell(Path.CheckCell, AttemptsPerStep);
+        TransitionState state = InsertIntoCell(Path.CheckCell, AttemptsPerSubStep);
         return state == TransitionState.OK ? CheckOtherCells(Path.CheckCell) : state;
     }
 

@@ -19,7 +19,7 @@ internal sealed partial class Transition
     internal bool StepUp(Vector3 normal)
     {
         Collision.VoidContactPlane();
-        Path.StepUp = true;
+        Path.SteppingUp = true;
         Path.StepUpNormal = normal;
         float height = AirborneProbe, walkableZ = RetailMath.LandingZ;
         if (Object.Has(MoverFlags.OnWalkable))
@@ -32,7 +32,7 @@ internal sealed partial class Transition
         Path.SaveCheckPos();
         Trace?.Tries(this, TransitionResponse.StepUp, normal);
         bool stands = StepDown(height, walkableZ);
-        Path.StepUp = false;
+        Path.SteppingUp = false;
         Path.Walkable = default;
         Trace?.Settles(this, TransitionResponse.StepUp, normal, stands, probeRefusal);
         if (!stands) Path.RestoreCheckPos();
@@ -48,17 +48,17 @@ internal sealed partial class Transition
     private bool StepDown(float height, float walkableZ)
     {
         Path.NegPolyHit = false;
-        Path.StepDown = true;
+        Path.SteppingDown = true;
         Path.StepDownAmount = height;
         Path.WalkInterp = 1f;
         Trace?.Tries(this, TransitionResponse.StepDown, Vector3.Zero);
-        if (!Path.StepUp) Path.AddOffsetToCheckPos(new Vector3(0, 0, -height));
+        if (!Path.SteppingUp) Path.AddOffsetToCheckPos(new Vector3(0, 0, -height));
         TransitionState state = TransitionalInsert(AttemptsPerProbe);
-        Path.StepDown = false;
+        Path.SteppingDown = false;
 
         if (Trace is not null) probeRefusal = RefusalOfFooting(state, walkableZ);
         bool found = state == TransitionState.OK && Collision.ContactPlaneValid && Collision.ContactPlane.Normal.Z >= walkableZ &&
-                     (!Object.Has(MoverFlags.EdgeSlide) || Path.StepUp || CheckWalkable(walkableZ));
+                     (!Object.Has(MoverFlags.EdgeSlide) || Path.SteppingUp || CheckWalkable(walkableZ));
         if (found)
         {
             probeRefusal = TraceReason.NoRoom;
@@ -91,12 +91,12 @@ internal sealed partial class Transition
         ObjCell? cell = Path.CheckCell;
         double height = Object.StepDownHeight, radius = Path.GlobalSpheres[0].Radius;
         Path.WalkableAllowance = walkableZ;
-        Path.CheckWalkable = true;
+        Path.CheckingWalkable = true;
         if (Path.SphereCount < 2 && height > 2 * radius) height = (float)(radius / 2);
         if (height > 2 * radius) height = (float)(height / 2);
         Path.AddOffsetToCheckPos(new Vector3(0, 0, (float)-height));
         TransitionState state = TransitionalInsert(1);
-        Path.CheckWalkable = false;
+        Path.CheckingWalkable = false;
         Path.SetCheckPos(position, cell);
         return state != TransitionState.OK;
     }

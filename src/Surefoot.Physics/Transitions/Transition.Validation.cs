@@ -5,14 +5,14 @@ using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Transitions;
 
-/// <content>Accepting a step or taking it back, and what the body stands on afterwards.</content>
+/// <content>Accepting a sub-step or taking it back, and what the body stands on afterwards.</content>
 internal sealed partial class Transition
 {
     /// <summary>
-    /// Accepts the check position or undoes it, then settles contact, the count of steps without progress and the wall to slide
+    /// Accepts the check position or undoes it, then settles contact, the count of sub-steps without progress and the wall to slide
     /// along next.
     /// </summary>
-    /// <returns>OK also for an undone step.</returns>
+    /// <returns>OK also for an undone sub-step.</returns>
     /// <remarks>Retail: CTransition::validate_transition @0x0050AA70.</remarks>
     private TransitionState ValidateTransition(TransitionState answer)
     {
@@ -33,7 +33,7 @@ internal sealed partial class Transition
         if (Collision.CollisionNormalValid) Collision.SetSlidingNormal(Collision.CollisionNormal);
         CountStationaryFall(moved);
         KeepContactAsLastKnown();
-        Trace?.StepEnds(this, answer);
+        Trace?.SubStepEnds(this, answer);
         return state;
     }
 
@@ -44,7 +44,7 @@ internal sealed partial class Transition
         Path.CacheGlobalCurrCenter();
     }
 
-    /// <summary>Takes the step back; true when the body regained the ground it walks on.</summary>
+    /// <summary>Takes the sub-step back; true when the body regained the ground it walks on.</summary>
     private bool Undo()
     {
         bool regained = false;
@@ -92,7 +92,7 @@ internal sealed partial class Transition
         Plane floor = new(Vector3.UnitZ, (float)((double)foot.Radius - foot.Center.Z));
         Collision.SetContactPlane(floor, false, Path.CheckPos.CellId);
         Trace?.ContactMadeUp(this);
-        // The contact bit is still that of the step before: it is rewritten only after this.
+        // The contact bit is still that of the sub-step before: it is rewritten only after this.
         if (!Object.Has(MoverFlags.Contact))
         {
             Collision.SetCollisionNormal(floor.Normal);

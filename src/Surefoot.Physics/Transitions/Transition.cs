@@ -62,7 +62,7 @@ internal sealed partial class Transition
     /// <summary>Seeds the plane the body is just leaving.</summary>
     /// <remarks>
     /// Retail: CTransition::init_last_known_contact_plane @0x0050E8E0. The id goes to the contact plane's cell, not to the last known
-    /// one's: load-bearing for the un-sink after an undone step.
+    /// one's: load-bearing for the un-sink after an undone sub-step.
     /// </remarks>
     internal void InitLastKnownContactPlane(uint cellId, in Plane plane, bool isWater)
     {
@@ -82,14 +82,14 @@ internal sealed partial class Transition
         return found;
     }
 
-    /// <summary>Sweeps the spheres from begin to end in steps of at most one radius.</summary>
-    /// <returns>True also when every step was refused and undone.</returns>
+    /// <summary>Sweeps the spheres from begin to end in sub-steps of at most one radius.</summary>
+    /// <returns>True also when every sub-step was refused and undone.</returns>
     /// <remarks>Retail: CTransition::find_transitional_position @0x0050BDF0.</remarks>
     public bool FindTransitionalPosition()
     {
         if (Path.BeginCell is null) return false;
 
-        StepPlan plan = CalcNumSteps();
+        SubStepPlan plan = SubStepPlan.Of(Path, Object.Has(MoverFlags.IsViewer));
         if (Object.Has(MoverFlags.FreeRotate)) Path.CurrPos.Frame.SetRotation(Path.EndPos.Frame.Rotation);
         Path.SetCheckPos(Path.CurrPos, Path.CurrCell);
         if (plan.Count == 0)
@@ -103,18 +103,18 @@ internal sealed partial class Transition
         TransitionState state = TransitionState.OK;
         for (int i = 0; i < plan.Count; i++)
         {
-            Vector3 step = plan.PerStep;
+            Vector3 offset = plan.PerSubStep;
             if (Object.Has(MoverFlags.IsViewer) && i == plan.Count - 1 && plan.Distance > RetailMath.Epsilon)
             {
                 double radius = Path.LocalSpheres[0].Radius;
-                step = RetailMath.Scale(plan.Offset, (plan.Distance - (radius * (plan.Count - 1))) / plan.Distance);
+                offset = RetailMath.Scale(plan.Offset, (plan.Distance - (radius * (plan.Count - 1))) / plan.Distance);
             }
 
-            Trace?.StepBegins(this, i, plan.Count, step);
-            Path.GlobalOffset = AdjustOffset(step);
+            Trace?.SubStepBegins(this, i, plan.Count, offset);
+            Path.GlobalOffset = AdjustOffset(offset);
             if (!Object.Has(MoverFlags.IsViewer) && RetailMath.EpsilonSquared > RetailMath.LengthSquared(Path.GlobalOffset))
             {
-                Trace?.StepEnds(this, TransitionState.Invalid, TraceReason.TooShort);
+                Trace?.SubStepEnds(this, TransitionState.Invalid, TraceReason.TooShort);
                 if (i == 0) return false;
                 break;
             }
@@ -125,7 +125,7 @@ internal sealed partial class Transition
             Collision.VoidContactPlane();
 
             Path.AddOffsetToCheckPos(Path.GlobalOffset);
-            state = ValidateTransition(TransitionalInsert(AttemptsPerStep));
+            state = ValidateTransition(TransitionalInsert(AttemptsPerSubStep));
             if (Collision.FramesStationaryFall != 0) break;
             if (Collision.CollisionNormalValid && Object.Has(MoverFlags.PathClipped)) break;
         }

@@ -23,14 +23,14 @@ internal static class TransitionTrace
         Reason = t.Path.CurrCell is null ? TraceReason.NotLoaded : TraceReason.None,
     });
 
-    internal static void StepBegins(this TraceBuffer trace, Transition t, int index, int count, in Vector3 offset) =>
-        trace.Add(Resting(trace, t, TraceKind.StepBegins) with { Index = index, Count = count, Offset = offset });
+    internal static void SubStepBegins(this TraceBuffer trace, Transition t, int index, int count, in Vector3 offset) =>
+        trace.Add(Resting(trace, t, TraceKind.SubStepBegins) with { Index = index, Count = count, Offset = offset });
 
     /// <summary>A sub-step was accepted, or refused and taken back.</summary>
-    internal static void StepEnds(this TraceBuffer trace, Transition t, TransitionState answer, TraceReason reason = TraceReason.None)
+    internal static void SubStepEnds(this TraceBuffer trace, Transition t, TransitionState answer, TraceReason reason = TraceReason.None)
     {
         if (t.Collision.ContactPlaneValid) trace.LastContact = trace.Contact;
-        trace.Add(Resting(trace, t, TraceKind.StepEnds) with { Answer = answer, Succeeded = answer == TransitionState.OK, Reason = reason });
+        trace.Add(Resting(trace, t, TraceKind.SubStepEnds) with { Answer = answer, Succeeded = answer == TransitionState.OK, Reason = reason });
     }
 
     internal static void Bent(this TraceBuffer trace, Transition t, TraceReason reason, in Vector3 normal, in Vector3 offset) =>
@@ -119,7 +119,7 @@ internal static class TransitionTrace
         SpherePath path = t.Path;
         trace.Subject = trace.Subject with { Sphere = (sbyte)sphere };
         TraceReason reason = path.InsertType == InsertType.Placement || path.ObstructionEthereal ? TraceReason.Overlaps
-            : path.CheckWalkable ? TraceReason.Supports : TraceReason.RunInto;
+            : path.CheckingWalkable ? TraceReason.Supports : TraceReason.RunInto;
         trace.Add(Met(t, trace.Subject, default, (float)gap, reason));
     }
 
@@ -191,8 +191,8 @@ internal static class TransitionTrace
     {
         if (path.InsertType == InsertType.InitialPlacement) return SweepQuestion.FirstPlace;
         if (path.InsertType == InsertType.Placement) return SweepQuestion.Place;
-        if (path.CheckWalkable) return SweepQuestion.Footing;
-        if (path.StepDown) return path.StepUp ? SweepQuestion.StepUp : SweepQuestion.StepDown;
+        if (path.CheckingWalkable) return SweepQuestion.Footing;
+        if (path.SteppingDown) return path.SteppingUp ? SweepQuestion.StepUp : SweepQuestion.StepDown;
         return path.Collide ? SweepQuestion.Land : SweepQuestion.Move;
     }
 

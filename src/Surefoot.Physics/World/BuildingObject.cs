@@ -1,5 +1,4 @@
 using Surefoot.Physics.Geometry;
-using Surefoot.Physics.Transitions;
 
 namespace Surefoot.Physics.World;
 
@@ -22,10 +21,10 @@ public sealed class BuildingObject
     internal ReadOnlySpan<BuildingPortal> Portals => portals;
 
     /// <remarks>Retail: CBuildingObj::find_building_transit_cells @0x006B5230.</remarks>
-    internal void FindTransitCells(ICellWorld world, ReadOnlySpan<Sphere> spheres, CellArray array, SpherePath? path)
+    internal void FindTransitCells(ICellWorld world, ReadOnlySpan<Sphere> spheres, CellArray array)
     {
         foreach (ref readonly BuildingPortal portal in portals.AsSpan())
-            world.GetVisible(portal.OtherCellId)?.CheckBuildingTransit(portal.OtherPortal, spheres, array, path);
+            world.GetVisible(portal.OtherCellId)?.CheckBuildingTransit(portal.OtherPortal, spheres, array);
     }
 
     /// <remarks>Retail: CBuildingObj::find_building_transit_cells @0x006B52A0.</remarks>

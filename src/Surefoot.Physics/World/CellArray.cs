@@ -14,6 +14,10 @@ internal sealed class CellArray
     /// </summary>
     internal bool LacksGround { get; set; }
 
+    /// <summary>The list was begun in a room, or reaches into one through a portal.</summary>
+    /// <remarks>Retail keeps this with the path: SPHEREPATH::hits_interior_cell.</remarks>
+    internal bool HitsInteriorCell { get; set; }
+
     /// <summary>Cells that are not resident must not be created for this path.</summary>
     public bool DoNotLoadCells { get; set; }
 
@@ -44,7 +48,7 @@ internal sealed class CellArray
     public void Clear()
     {
         Count = 0;
-        AddedOutside = LacksGround = false;
+        AddedOutside = LacksGround = HitsInteriorCell = false;
     }
 
     /// <summary>An id and, where it is loaded, its cell.</summary>

@@ -53,7 +53,7 @@ internal sealed class CrossCells(PhysicsWorld world)
     private void BySpheres(WorldObject item, int count)
     {
         ObjCell? unused = null;
-        world.FindCellList(Cells, item.Position, spheres.AsSpan(0, count), null, false, ref unused);
+        world.FindCellList(Cells, item.Position, spheres.AsSpan(0, count), false, ref unused);
     }
 
     /// <remarks>Retail: CPhysicsObj::find_bbox_cell_list @0x00510FC0. No containment, no pruning.</remarks>

@@ -52,34 +52,10 @@ public sealed class EnvCell : ObjCell
         portals.Length > 0 && Shape.Cell.PointInside(position.Frame.GlobalToLocal(point));
 
     /// <inheritdoc/>
-    /// <remarks>Retail: CEnvCell::find_collisions @0x0052C100.</remarks>
-    internal override TransitionState FindCollisions(Transition transition)
-    {
-        TransitionState state = FindEnvCollisions(transition);
-        return state == TransitionState.OK ? FindObjCollisions(transition) : state;
-    }
+    internal override TransitionState FindCollisions(Transition transition) => RoomObstacle.FindCollisions(this, transition);
 
     /// <inheritdoc/>
-    internal override TransitionState FindOverlap(Transition transition)
-    {
-        TransitionState state = FindWalls(transition);
-        return state == TransitionState.OK ? FindObjCollisions(transition) : state;
-    }
-
-    /// <remarks>Retail: CEnvCell::find_env_collisions @0x0052C130.</remarks>
-    private TransitionState FindEnvCollisions(Transition transition)
-    {
-        TransitionState state = CheckEntryRestrictions(transition);
-        return state == TransitionState.OK ? FindWalls(transition) : state;
-    }
-
-    private TransitionState FindWalls(Transition transition)
-    {
-        transition.Path.ObstructionEthereal = false;
-        TransitionState state = Shape.FindCollisions(transition, position);
-        if (state != TransitionState.OK && !transition.Object.Has(MoverFlags.Contact)) transition.Collision.CollidedWithEnvironment = true;
-        return state;
-    }
+    internal override TransitionState FindOverlap(Transition transition) => RoomObstacle.FindOverlap(this, transition);
 
     /// <summary>The first room that contains a point: this one, or one of those seen from here (or behind its portals).</summary>
     /// <param name="world">Where cells are looked up.</param>
@@ -104,8 +80,7 @@ public sealed class EnvCell : ObjCell
     /// Retail: CEnvCell::find_transit_cells @0x0052C820. The spheres are taken as they come, without any offset between blocks: an interior is only
     /// found while the mover's position is expressed in the interior's block.
     /// </remarks>
-    internal override void FindTransitCells(
-        ICellWorld world, in Position owner, ReadOnlySpan<Sphere> spheres, CellArray array, SpherePath? path)
+    internal override void FindTransitCells(ICellWorld world, in Position owner, ReadOnlySpan<Sphere> spheres, CellArray array)
     {
         bool outside = false;
         foreach (ref readonly PortalPlane portal in portals.AsSpan())
@@ -162,10 +137,10 @@ public sealed class EnvCell : ObjCell
     }
 
     /// <inheritdoc/>
-    internal override void CheckBuildingTransit(int portal, ReadOnlySpan<Sphere> spheres, CellArray array, SpherePath? path)
+    internal override void CheckBuildingTransit(int portal, ReadOnlySpan<Sphere> spheres, CellArray array)
     {
         if (portal < 0 || !IsReachedByAny(spheres)) return;
-        if (path is not null) path.HitsInteriorCell = true;
+        array.HitsInteriorCell = true;
         array.Add(Id, this);
     }
 

@@ -1,5 +1,5 @@
 using System.Numerics;
-using Surefoot.Physics.Transitions;
+using Surefoot.Physics.Geometry;
 
 namespace Surefoot.Physics.World;
 
@@ -16,12 +16,16 @@ internal interface ICellWorld
     ObjCell? GetVisible(uint cellId);
 
     /// <summary>
-    /// Rebuilds <paramref name="array"/> around the path's check position with all its spheres. With <paramref name="wantHome"/>, and when the check
-    /// position's own cell is loaded, <paramref name="home"/> becomes the cell that contains the centre of sphere 0 (null for none);
-    /// otherwise it is left as it is.
+    /// Rebuilds a list around spheres: the owner's cell, or the squares of land under the spheres, and every cell they reach from there. The home is the first
+    /// room that contains the centre of sphere 0, else the last square of land that does.
     /// </summary>
+    /// <param name="array">The list.</param>
+    /// <param name="position">Cell and frame of the spheres' owner; its block is the one the spheres are in.</param>
+    /// <param name="spheres">Spheres, block coordinates.</param>
+    /// <param name="wantHome">Looks for the home, when the owner's own cell is loaded.</param>
+    /// <param name="home">Becomes the home, null for none; without <paramref name="wantHome"/> it is left as it is.</param>
     /// <remarks>Retail: CObjCell::find_cell_list @0x0052B960; specification 03, 4.8.4.</remarks>
-    void FindCellList(CellArray array, SpherePath path, bool wantHome, ref ObjCell? home);
+    void FindCellList(CellArray array, in Position position, ReadOnlySpan<Sphere> spheres, bool wantHome, ref ObjCell? home);
 
     /// <summary>
     /// Finds the cell a position belongs to, correcting its id and, outdoors, its coordinates. False when there is none; the cell may

@@ -1,7 +1,3 @@
-using Surefoot.Physics.Decisions;
-using Surefoot.Physics.Transitions;
-using Surefoot.Physics.Transitions.Obstacles;
-
 namespace Surefoot.Physics.World;
 
 /// <content>The objects that overlap the cell, in the order in which they are tested.</content>
@@ -21,28 +17,6 @@ public abstract partial class ObjCell
     /// retail's way of removing: the last one takes the free slot. The order is observable, because a test ends at the first obstacle.
     /// </summary>
     internal WorldObject ShadowAt(int index) => shadows[index].Object;
-
-    /// <summary>Tests the objects in this cell; the first one that is in the way ends it.</summary>
-    /// <remarks>Retail: CObjCell::find_obj_collisions @0x0052B750.</remarks>
-    internal TransitionState FindObjCollisions(Transition transition)
-    {
-        if (transition.Path.InsertType == InsertType.InitialPlacement) return TransitionState.OK;
-        WorldObject? mover = transition.Object.Mover;
-        for (int i = 0; i < ShadowCount; i++)
-        {
-            WorldObject target = shadows[i].Object;
-            if (target.Parent is not null || ReferenceEquals(target, mover))
-            {
-                transition.Trace?.Skipped(transition, target, target.Parent is not null ? TraceReason.IsAttached : TraceReason.IsTheMover);
-                continue;
-            }
-
-            TransitionState state = target.FindObjCollisions(transition);
-            if (state != TransitionState.OK) return state;
-        }
-
-        return TransitionState.OK;
-    }
 
     /// <summary>Lists an object; <paramref name="ordinal"/> says which of the object's own shadows this is.</summary>
     /// <remarks>Retail: CObjCell::add_shadow_object @0x0052B280.</remarks>

@@ -44,9 +44,7 @@ public abstract partial class ObjCell
     /// <param name="position">Cell and frame of the spheres' owner; its block is the one the spheres are in.</param>
     /// <param name="spheres">Spheres, block coordinates.</param>
     /// <param name="array">The list that grows.</param>
-    /// <param name="path">Told when a room is reached; null when nobody asks.</param>
-    internal virtual void FindTransitCells(
-        ICellWorld world, in Position position, ReadOnlySpan<Sphere> spheres, CellArray array, SpherePath? path)
+    internal virtual void FindTransitCells(ICellWorld world, in Position position, ReadOnlySpan<Sphere> spheres, CellArray array)
     {
     }
 
@@ -57,7 +55,7 @@ public abstract partial class ObjCell
 
     /// <summary>A building's portal leads here: adds this room when a sphere reaches into it.</summary>
     /// <remarks>Retail: CEnvCell::check_building_transit @0x0052C680; other cells are never behind a portal.</remarks>
-    internal virtual void CheckBuildingTransit(int portal, ReadOnlySpan<Sphere> spheres, CellArray array, SpherePath? path)
+    internal virtual void CheckBuildingTransit(int portal, ReadOnlySpan<Sphere> spheres, CellArray array)
     {
     }
 
@@ -65,35 +63,6 @@ public abstract partial class ObjCell
     /// <remarks>Retail: CEnvCell::check_building_transit @0x0052C5D0.</remarks>
     internal virtual void CheckBuildingTransit(ICellWorld world, int portal, ReadOnlySpan<PartExtent> parts, CellArray array)
     {
-    }
-
-    /// <summary>Tells the transition which way it was refused.</summary>
-    /// <remarks>Retail: CObjCell::handle_move_restriction; rooms do nothing.</remarks>
-    internal virtual void HandleMoveRestriction(Transition transition)
-    {
-    }
-
-    /// <summary>House barriers: a player may not enter a cell that an object guards unless the object lets it.</summary>
-    /// <remarks>Retail: CObjCell::check_entry_restrictions @0x0052B6D0.</remarks>
-    internal TransitionState CheckEntryRestrictions(Transition transition)
-    {
-        WorldObject? mover = transition.Object.Mover;
-        if (mover is null) return TransitionState.Collided;
-        if (transition.Object.Weenie == WeenieTraits.None || RestrictionObject == 0 || !transition.Object.Has(MoverFlags.IsPlayer)) return TransitionState.OK;
-        IMoveRestrictions? restrictions = transition.World.Restrictions;
-        if (restrictions is not null && restrictions.CanBypass(mover)) return TransitionState.OK;
-        switch (restrictions?.CanMoveInto(RestrictionObject, mover))
-        {
-            case true:
-                return TransitionState.OK;
-            case false:
-                HandleMoveRestriction(transition);
-                transition.Trace?.Responded(transition, TransitionResponse.Stop, transition.Collision.CollisionNormal, false, TraceReason.Guarded);
-                return TransitionState.Collided;
-            default:
-                transition.Trace?.Responded(transition, TransitionResponse.Stop, Vector3.Zero, false, TraceReason.Guarded);
-                return TransitionState.Collided;
-        }
     }
 }
 

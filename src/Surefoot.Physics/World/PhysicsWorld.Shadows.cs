@@ -1,5 +1,3 @@
-using Surefoot.Physics.Bodies;
-
 namespace Surefoot.Physics.World;
 
 /// <content>Which cells list an object.</content>
@@ -64,7 +62,7 @@ public sealed partial class PhysicsWorld
             for (int k = 0; k < cell.ShadowCount; k++)
             {
                 WorldObject other = cell.ShadowAt(k);
-                if (!ReferenceEquals(other, item) && other is PhysicsBody { Parent: null } mover && mover.Overlaps(item)) return true;
+                if (!ReferenceEquals(other, item) && other.Parent is null && other.Overlaps(item)) return true;
             }
         }
 

@@ -1,6 +1,5 @@
 using System.Numerics;
 using Surefoot.Physics.Geometry;
-using Surefoot.Physics.Transitions;
 
 namespace Surefoot.Physics.World;
 
@@ -10,7 +9,7 @@ namespace Surefoot.Physics.World;
 /// </summary>
 /// <remarks>
 /// Retail loads rooms and landblocks as the player moves: the blocks within one of the player's, and the rooms that are seen from there. Here
-/// the caller decides what is loaded, all rooms of a block come with it, and nothing is ever loaded from inside a step.
+/// the caller decides what is loaded, all rooms of a block come with it, and nothing is ever loaded from inside a quantum.
 /// </remarks>
 public sealed partial class PhysicsWorld : ICellWorld
 {
@@ -63,26 +62,18 @@ public sealed partial class PhysicsWorld : ICellWorld
         return true;
     }
 
-    void ICellWorld.FindCellList(CellArray array, SpherePath path, bool wantHome, ref ObjCell? home) => FindCellList(array, path, wantHome, ref home);
+    void ICellWorld.FindCellList(CellArray array, in Position position, ReadOnlySpan<Sphere> spheres, bool wantHome, ref ObjCell? home) =>
+        FindCellList(array, position, spheres, wantHome, ref home);
 
     /// <inheritdoc cref="ICellWorld.FindCellList"/>
-    internal void FindCellList(CellArray array, SpherePath path, bool wantHome, ref ObjCell? home) =>
-        FindCellList(array, path.CheckPos, path.CheckSpheres, path, wantHome, ref home);
-
-    /// <summary>
-    /// Rebuilds a list around spheres: the owner's cell, or the squares of land under the spheres, and every cell they reach from there. The home is the first
-    /// room that contains the centre of sphere 0, else the last square of land that does.
-    /// </summary>
-    /// <remarks>Retail: CObjCell::find_cell_list @0x0052B4E0; specification 05, 4.15.</remarks>
-    internal void FindCellList(
-        CellArray array, in Position position, ReadOnlySpan<Sphere> spheres, SpherePath? path, bool wantHome, ref ObjCell? home)
+    internal void FindCellList(CellArray array, in Position position, ReadOnlySpan<Sphere> spheres, bool wantHome, ref ObjCell? home)
     {
         array.Clear();
         ObjCell? start = GetVisible(position.CellId);
         bool indoors = !CellIds.IsOutdoor(position.CellId);
         if (indoors)
         {
-            if (path is not null) path.HitsInteriorCell = true;
+            array.HitsInteriorCell = true;
             array.Add(position.CellId, start);
         }
         else
@@ -91,12 +82,12 @@ public sealed partial class PhysicsWorld : ICellWorld
         }
 
         if (start is null || spheres.IsEmpty) return;
-        for (int k = 0; k < array.Count; k++) array[k].Cell?.FindTransitCells(this, position, spheres, array, path);
-        if (wantHome) home = FindHome(array, position.CellId, spheres[0].Center, path);
+        for (int k = 0; k < array.Count; k++) array[k].Cell?.FindTransitCells(this, position, spheres, array);
+        if (wantHome) home = FindHome(array, position.CellId, spheres[0].Center);
         if (array.DoNotLoadCells && indoors) DropCellsNotSeenFrom(start, array);
     }
 
-    private static ObjCell? FindHome(CellArray array, uint cellId, in Vector3 center, SpherePath? path)
+    private static ObjCell? FindHome(CellArray array, uint cellId, in Vector3 center)
     {
         ObjCell? home = null;
         for (int k = 0; k < array.Count; k++)
@@ -105,7 +96,7 @@ public sealed partial class PhysicsWorld : ICellWorld
             if (cell is null || !cell.PointInCell(center - CellIds.BlockOffset(cellId, cell.Id))) continue;
             home = cell;
             if (CellIds.IsOutdoor(cell.Id)) continue;
-            if (path is not null) path.HitsInteriorCell = true;
+            array.HitsInteriorCell = true;
             break;
         }
 

@@ -47,5 +47,5 @@ public partial class WorldObject
         placedParts = 0;
     }
 
-    private Frame PlacePart(in Frame pose, float scale) => SetupAsset.PlacePart(PositionField, pose, scale).Frame;
+    private Frame PlacePart(in Frame pose, float scale) => SetupAsset.PlacePart(PositionField.Frame, pose, scale);
 }

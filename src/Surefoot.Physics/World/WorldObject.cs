@@ -66,6 +66,10 @@ public partial class WorldObject
     /// <summary>Where it is, for those who move it.</summary>
     private protected Position PositionField = Position.Nowhere;
 
+    /// <summary>Would another object be hit by this one where it stands? Only bodies hit anything.</summary>
+    /// <remarks>Retail: CPhysicsObj::check_collision @0x00512ED0.</remarks>
+    internal virtual bool Overlaps(WorldObject target) => false;
+
     /// <summary>Seats the object without any test.</summary>
     internal void SeatAt(in Position position, ObjCell? cell)
     {

@@ -5,6 +5,7 @@ using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Queries;
+using Surefoot.Physics.Steering;
 using Surefoot.Physics.World;
 
 namespace Surefoot.Tool.Conformance;
@@ -130,7 +131,7 @@ internal sealed class OracleReplay(PhysicsEngine engine, Func<uint, SetupAsset> 
     {
         List<OracleResult> results = [];
         RecordedMotion motion = new();
-        mover.AttachMovement(motion);
+        SteeredPhysicsBody.Of(mover).Attach(motion);
         OracleState before = walk.Start!;
         Quaternion facing = Quaternion.Identity;
         foreach (OracleStep step in walk.Steps!)
@@ -159,7 +160,7 @@ internal sealed class OracleReplay(PhysicsEngine engine, Func<uint, SetupAsset> 
                 if (step.Leave) mover.SetOnWalkable(false);
                 if (step.SetVelocity is { } velocity) mover.SetVelocity(velocity);
                 mover.SetActive(true);
-                mover.Step(walk.Q, sweepWithoutSpheres: true);
+                mover.AdvanceQuantum(walk.Q, sweepWithoutSpheres: true);
                 string? difference = CompareBody(mover, step.Cell, step.Pos, step.Ts, step.Sliding);
                 return difference ?? (departure is null ? CompareVelocity(mover, step) : null);
             }

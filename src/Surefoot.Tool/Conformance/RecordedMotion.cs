@@ -1,6 +1,6 @@
 using System.Numerics;
-using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
+using Surefoot.Physics.Steering;
 
 namespace Surefoot.Tool.Conformance;
 

@@ -3,6 +3,7 @@ using Surefoot.Physics;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
+using Surefoot.Physics.Steering;
 using Surefoot.Physics.World;
 
 namespace Surefoot.Tool.Conformance;
@@ -88,7 +89,7 @@ internal sealed class WalkReplay(PhysicsEngine engine, Func<uint, SetupAsset> se
                 MoverId, setups(walk.Setup), BodyState, WeenieTraits.Present | WeenieTraits.Player | WeenieTraits.Creature);
             all.Add(body);
             RecordedMotion motion = new();
-            body.AttachMovement(motion);
+            SteeredPhysicsBody.Of(body).Attach(motion);
             return Replay(walk, body, motion, reseat);
         }
         finally
@@ -156,7 +157,7 @@ internal sealed class WalkReplay(PhysicsEngine engine, Func<uint, SetupAsset> se
         }
 
         motion.Offset = step.Off;
-        body.Step(step.Q, sweepWithoutSpheres: true);
+        body.AdvanceQuantum(step.Q, sweepWithoutSpheres: true);
         return Compare(body, step);
     }
 

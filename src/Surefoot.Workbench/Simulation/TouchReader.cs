@@ -26,7 +26,7 @@ internal sealed class TouchReader(Func<uint, (TouchKind Kind, string Name)> name
                     before.AddRange(touched);
                     if (entry.Question == SweepQuestion.Place) touched.Clear();
                     break;
-                case TraceKind.StepBegins when entry.Index == 0:
+                case TraceKind.SubStepBegins when entry.Index == 0:
                     touched.Clear();
                     break;
                 case TraceKind.Bent when entry.Reason is TraceReason.AlongWall or TraceReason.AlongCrease:

@@ -10,6 +10,7 @@ using Surefoot.Physics;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
+using Surefoot.Physics.Steering;
 using Surefoot.Physics.Tests.Transitions;
 using Surefoot.Physics.Tests.World;
 using Surefoot.Physics.World;
@@ -141,7 +142,7 @@ public sealed class DamagedFilesProperties : IDisposable
         if (!engine.World.LoadLandblock(Middle.CellId)) return;
         PhysicsBody body = engine.CreateBody(7,
             StubWorld.Setup(new Sphere(new Vector3(0, 0, 0.48f), 0.48f), new Sphere(new Vector3(0, 0, 1.35f), 0.48f)));
-        body.AttachMovement(new Strides { Next = new Vector3(0, 0.5f, 0) });
+        SteeredPhysicsBody.Of(body).Attach(new Strides { Next = new Vector3(0, 0.5f, 0) });
         if (!body.EnterWorld(Middle)) return;
         for (int i = 1; i <= 60; i++)
         {

@@ -91,14 +91,14 @@ public sealed class DeterminismProperties(DemoFiles files) : IClassFixture<DemoF
         PhysicsBody[] bodies = [walk.Body, .. walk.SpawnRunners(20, spacing: 1.3f)];
         for (int i = 0; i < 60; i++) walk.Tick();
         Position[] wishes = [.. Enumerable.Range(0, 400).Select(i => Ahead(bodies[i % bodies.Length], (float)(i * 0.7), 0.2f + (i % 7)))];
-        ulong before = walk.Body.Engine.HashState();
-        WorldQuery query = walk.Body.Engine.CreateQuery();
+        ulong before = walk.Engine.HashState();
+        WorldQuery query = walk.Engine.CreateQuery();
         SweepResult[] alone = [.. wishes.Select((wish, i) => query.Sweep(bodies[i % bodies.Length], wish))];
         for (int round = 0; round < 5; round++)
         {
             SweepResult[] together = new SweepResult[wishes.Length];
             Parallel.For(
-                0, wishes.Length, new ParallelOptions { MaxDegreeOfParallelism = 4 }, walk.Body.Engine.CreateQuery,
+                0, wishes.Length, new ParallelOptions { MaxDegreeOfParallelism = 4 }, walk.Engine.CreateQuery,
                 (i, _, own) =>
                 {
                     together[i] = own.Sweep(bodies[i % bodies.Length], wishes[i]);
@@ -109,7 +109,7 @@ public sealed class DeterminismProperties(DemoFiles files) : IClassFixture<DemoF
         }
 
         Assert.Contains(alone, answer => answer.LosesVelocity);
-        Assert.Equal(before, walk.Body.Engine.HashState());
+        Assert.Equal(before, walk.Engine.HashState());
     }
 
     [Fact]

@@ -5,6 +5,7 @@ using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Queries;
+using Surefoot.Physics.Steering;
 using Surefoot.Physics.Tests.World;
 using Surefoot.Physics.World;
 
@@ -33,17 +34,17 @@ public sealed class ExceptionTests(DemoFiles files) : IClassFixture<DemoFiles>
         SolidTest test = new(world);
 
         float level = careless.Position.Frame.Origin.Z;
-        Strides.Step(careless, new Vector3(0, 0.4f, 0));
+        Strides.Walk(careless, new Vector3(0, 0.4f, 0));
         Assert.Equal(Stand.SteepGroundWalkedInto, test.Judge(careless));
         Assert.Equal(level, careless.Position.Frame.Origin.Z, 1e-4f);
         Assert.False(careless.HasContact);
 
         // The next quantum only gains velocity (specification 02, 4.6); the one after it meets the ground, 0.3 m past the border.
-        for (int i = 0; i < 3; i++) Strides.Step(careless, default);
+        for (int i = 0; i < 3; i++) Strides.Walk(careless, default);
         Assert.Equal(Stand.Free, test.Judge(careless));
         Assert.True(careless.Position.Frame.Origin.Z > level + (0.25f * MathF.Tan(MathF.PI / 3)));
 
-        Strides.Step(careful, new Vector3(0, 0.4f, 0));
+        Strides.Walk(careful, new Vector3(0, 0.4f, 0));
         Assert.Equal(Stand.Free, test.Judge(careful));
     }
 
@@ -59,11 +60,11 @@ public sealed class ExceptionTests(DemoFiles files) : IClassFixture<DemoFiles>
         Assert.True(ball.OnWalkable && human.OnWalkable);
         Assert.Equal(Stand.Free, test.Judge(ball));
         float begin = ball.Position.Frame.Origin.X;
-        Strides.Step(ball, new Vector3(-0.47f, 0, 0));
+        Strides.Walk(ball, new Vector3(-0.47f, 0, 0));
         Assert.Equal(begin - 0.47f, ball.Position.Frame.Origin.X, 1e-3f);
         Assert.Equal(Stand.PassedByOneSphere, test.Judge(ball));
 
-        Strides.Step(human, new Vector3(-0.47f, 0, 0));
+        Strides.Walk(human, new Vector3(-0.47f, 0, 0));
         Assert.Equal(Stand.Free, test.Judge(human));
     }
 
@@ -110,8 +111,8 @@ public sealed class ExceptionTests(DemoFiles files) : IClassFixture<DemoFiles>
         PhysicsBody body = Enter(engine, hall, PhysicsState.Default, bent);
         Assert.Equal(Stand.Free, test.Judge(body));
         Position before = body.Position;
-        body.AttachMovement(new Turn());
-        body.Step(Quantum);
+        SteeredPhysicsBody.Of(body).Attach(new Turn());
+        body.AdvanceQuantum(Quantum);
         Assert.Equal(before.Frame.Origin, body.Position.Frame.Origin);
         Assert.Equal(Stand.Inside, test.Judge(body));
     }
@@ -132,14 +133,14 @@ public sealed class ExceptionTests(DemoFiles files) : IClassFixture<DemoFiles>
         SolidTest test = new(world);
         PhysicsBody human = Enter(engine, place, PhysicsState.Default), other = Enter(engine, Off(place, new Vector3(0, -3, 0)), PhysicsState.Default, fat);
         Assert.Equal(Stand.Free, test.Judge(human));
-        for (int i = 0; i < 60; i++) Strides.Step(other, new Vector3(0, 0.1f, 0));
+        for (int i = 0; i < 60; i++) Strides.Walk(other, new Vector3(0, 0.1f, 0));
         float gap = other.Position.OffsetTo(human.Position).Y;
         // The spheres touch at 0.78 m on the level, less what the human's lower sphere leaves free under its middle.
         Assert.InRange(gap, 0.7f, 0.95f);
         Assert.NotEqual(Stand.Inside, test.Judge(other));
         Assert.Equal(Stand.Inside, test.Judge(human));
 
-        for (int i = 0; i < 10; i++) Strides.Step(human, new Vector3(0, 0.4f, 0));
+        for (int i = 0; i < 10; i++) Strides.Walk(human, new Vector3(0, 0.4f, 0));
         Assert.Equal(Stand.Free, test.Judge(human));
     }
 
@@ -178,7 +179,7 @@ public sealed class ExceptionTests(DemoFiles files) : IClassFixture<DemoFiles>
     {
         PhysicsBody body = engine.CreateBody((uint)engine.Bodies.Count() + 1, setup ?? files.Cache.GetSetup(HumanSetup), state, Beast);
         Assert.True(body.EnterWorld(place));
-        for (int i = 0; i < 30; i++) Strides.Step(body, default);
+        for (int i = 0; i < 30; i++) Strides.Walk(body, default);
         return body;
     }
 

@@ -5,6 +5,7 @@ using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
+using Surefoot.Physics.Steering;
 using Surefoot.Physics.Tests.World;
 using Surefoot.Physics.World;
 using Surefoot.Server;
@@ -37,7 +38,7 @@ internal sealed class Journey
         this.player = player;
         Engine = engine;
         Body = body;
-        if (player is null) body.AttachMovement(strides);
+        if (player is null) SteeredPhysicsBody.Of(body).Attach(strides);
         frameTime = trip.FrameTime == 1 ? Frame : trip.FrameTime / 30.0;
     }
 

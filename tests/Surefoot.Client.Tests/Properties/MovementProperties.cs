@@ -89,7 +89,7 @@ public sealed class MovementProperties(DemoFiles files) : IClassFixture<DemoFile
                 journey.Body.Trace = trace;
                 journey.Go(() =>
                 {
-                    foreach (StepMeter.Step step in StepMeter.Read(trace))
+                    foreach (SubStepMeter.SubStep step in SubStepMeter.Read(trace))
                     {
                         if (new Reach(step, journey.Body).Excess(journey.World) is { } excess) Assert.Fail($"{excess}: {step}");
                     }

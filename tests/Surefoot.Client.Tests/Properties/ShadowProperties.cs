@@ -151,7 +151,7 @@ public sealed class ShadowProperties(DemoFiles files) : IClassFixture<DemoFiles>
                 break;
         }
 
-        for (int i = 0; i < deed.Which % 25; i++) Strides.Step(body, deed.What == What.Stride ? new Vector3(deed.X, deed.Y, 0) / 12 : default);
+        for (int i = 0; i < deed.Which % 25; i++) Strides.Walk(body, deed.What == What.Stride ? new Vector3(deed.X, deed.Y, 0) / 12 : default);
     }
 
     private PhysicsBody Create(PhysicsEngine engine, int who, uint id)
@@ -184,9 +184,9 @@ public sealed class ShadowProperties(DemoFiles files) : IClassFixture<DemoFiles>
         HashSet<uint> walkedOff = [];
         foreach (PhysicsBody body in engine.Bodies)
         {
-            Strides.Step(body, default);
+            Strides.Walk(body, default);
             bool stood = body.HasContact;
-            Strides.Step(body, default);
+            Strides.Walk(body, default);
             if (stood && !body.HasContact) walkedOff.Add(body.Id);
         }
 
@@ -223,7 +223,7 @@ public sealed class ShadowProperties(DemoFiles files) : IClassFixture<DemoFiles>
             path.Path.InitSpheres(twin.Setup!.Spheres.IsEmpty ? WithoutSpheres : twin.Setup.Spheres, twin.Setup.Spheres.IsEmpty ? 1 : twin.Scale);
             path.Path.SetCheckPos(twin.Position, twin.Cell);
             ObjCell? home = null;
-            fresh.FindCellList(path.Cells, path.Path, wantHome: true, ref home);
+            fresh.FindCellList(path.Cells, twin.Position, path.Path.CheckSpheres, wantHome: true, ref home);
             fresh.PlaceShadows(twin, path.Cells);
         }
 

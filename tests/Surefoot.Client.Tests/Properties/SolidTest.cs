@@ -85,7 +85,7 @@ internal sealed class SolidTest(PhysicsWorld world)
         transition.Path.InitPath(cell, hasBegin: false, default, place);
         transition.Path.SetCheckPos(place, cell);
         ObjCell? home = null;
-        world.FindCellList(transition.Cells, transition.Path, wantHome: true, ref home);
+        world.FindCellList(transition.Cells, place, transition.Path.CheckSpheres, wantHome: true, ref home);
         TransitionState state = Ask(cell, facesOnly);
         for (int i = 0; i < transition.Cells.Count && state == TransitionState.OK; i++)
         {
@@ -98,7 +98,7 @@ internal sealed class SolidTest(PhysicsWorld world)
     private TransitionState Ask(ObjCell cell, bool facesOnly)
     {
         // Together these two let a tree ignore its solid marks (specification 04, 4.6, row 1).
-        if (facesOnly) transition.Path.BuildingCheck = transition.Path.HitsInteriorCell = true;
+        if (facesOnly) transition.Path.BuildingCheck = transition.Cells.HitsInteriorCell = true;
         TransitionState state = cell.FindCollisions(transition);
         if (state != TransitionState.OK) Culprit = cell;
         return state;

@@ -34,15 +34,15 @@ public class AnimatedPartTests
         Assert.Equal(0f, LeafAt(door));
 
         // Standing still it is in the frame of its only cycle, from the next quantum on.
-        door.Step(BodyFixture.Tick);
+        door.AdvanceQuantum(BodyFixture.Tick);
         Assert.Equal(2f, LeafAt(door));
         movement.Interpreter.DoInterpretedMotion(On, new MovementParameters());
         Assert.Equal(2f, LeafAt(door));
 
         // 30 frames a second: one frame each thirtieth, and the last one is held by a framerate of 0.
-        door.Step(BodyFixture.Tick);
+        door.AdvanceQuantum(BodyFixture.Tick);
         Assert.Equal(3f, LeafAt(door));
-        for (int i = 0; i < 10; i++) door.Step(BodyFixture.Tick);
+        for (int i = 0; i < 10; i++) door.AdvanceQuantum(BodyFixture.Tick);
         Assert.Equal(4f, LeafAt(door));
     }
 
@@ -50,13 +50,13 @@ public class AnimatedPartTests
     public void The_pose_of_a_larger_object_is_larger_from_its_next_quantum_on()
     {
         (PhysicsBody door, _) = Door(withParts: true);
-        door.Step(BodyFixture.Tick);
+        door.AdvanceQuantum(BodyFixture.Tick);
         door.SetScale(2);
         // The leaf itself is twice as large at once, a metre to each side of x = 2.
         Assert.True(Hits(door, Hinge + new Vector3(2.95f, 0, 0)));
         Assert.False(Hits(door, Hinge + new Vector3(4, 0, 0)));
 
-        door.Step(BodyFixture.Tick);
+        door.AdvanceQuantum(BodyFixture.Tick);
         Assert.True(Hits(door, Hinge + new Vector3(4, 0, 0)));
         Assert.True(Hits(door, Hinge + new Vector3(4.95f, 0, 0)));
         Assert.False(Hits(door, Hinge + new Vector3(2, 0, 0)));
@@ -66,7 +66,7 @@ public class AnimatedPartTests
     public void Without_part_frames_the_parts_stay_where_they_were_put_down()
     {
         (PhysicsBody door, _) = Door(withParts: false);
-        door.Step(BodyFixture.Tick);
+        door.AdvanceQuantum(BodyFixture.Tick);
         Assert.Equal(0f, LeafAt(door));
     }
 
@@ -78,12 +78,12 @@ public class AnimatedPartTests
         door.SetHidden(true);
         for (int i = 0; i < 3; i++)
         {
-            door.Step(BodyFixture.Tick);
+            door.AdvanceQuantum(BodyFixture.Tick);
             Assert.Equal(2f, LeafAt(door));
         }
 
         door.SetHidden(false);
-        door.Step(BodyFixture.Tick);
+        door.AdvanceQuantum(BodyFixture.Tick);
         Assert.Equal(3f, LeafAt(door));
     }
 
@@ -91,9 +91,9 @@ public class AnimatedPartTests
     public void A_swinging_door_allocates_nothing()
     {
         (PhysicsBody door, _) = Door(withParts: true);
-        for (int i = 0; i < 100; i++) door.Step(BodyFixture.Tick);
+        for (int i = 0; i < 100; i++) door.AdvanceQuantum(BodyFixture.Tick);
         long before = GC.GetAllocatedBytesForCurrentThread();
-        for (int i = 0; i < 100; i++) door.Step(BodyFixture.Tick);
+        for (int i = 0; i < 100; i++) door.AdvanceQuantum(BodyFixture.Tick);
         Assert.Equal(0, GC.GetAllocatedBytesForCurrentThread() - before);
     }
 
@@ -111,11 +111,11 @@ public class AnimatedPartTests
             ],
         };
         PhysicsBody body = Body(Table(animation, animation), out _);
-        body.Step(BodyFixture.Tick);
+        body.AdvanceQuantum(BodyFixture.Tick);
         Assert.Equal((true, Vector3.Zero, 1f), (Ethereal(body), body.Omega, body.Scale));
-        body.Step(BodyFixture.Tick);
+        body.AdvanceQuantum(BodyFixture.Tick);
         Assert.Equal((true, new Vector3(0, 0, 3), 1f), (Ethereal(body), body.Omega, body.Scale));
-        body.Step(BodyFixture.Tick);
+        body.AdvanceQuantum(BodyFixture.Tick);
         Assert.Equal((true, new Vector3(0, 0, 3), 2f), (Ethereal(body), body.Omega, body.Scale));
     }
 
@@ -129,7 +129,7 @@ public class AnimatedPartTests
         float[] expected = [1.5f, 2f, 2.5f, 3f, 3f];
         foreach (float scale in expected)
         {
-            f.Body.Step(0.125f);
+            f.Body.AdvanceQuantum(0.125f);
             Assert.Equal(scale, f.Body.Scale);
         }
 
@@ -169,7 +169,7 @@ public class AnimatedPartTests
         PhysicsBody body = engine.CreateBody(1, Leaf, PhysicsState.ReportCollisions, WeenieTraits.Present);
         body.Seat(new BodySeat(new Position(StubWorld.CellId, Hinge), Vector3.Zero, TransientState.None, default, 0, Vector3.Zero));
         movement = new MovementManager(body, table, weenie: null);
-        body.AttachMovement(movement);
+        SteeredPhysicsBody.Of(body).Attach(movement);
         return body;
     }
 

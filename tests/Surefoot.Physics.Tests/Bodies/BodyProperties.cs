@@ -46,7 +46,7 @@ public class BodyProperties
                 (_, PhysicsBody body) = Drop(slope, f.Start, f.Velocity);
                 foreach (float q in f.Quanta)
                 {
-                    body.Step(q);
+                    body.AdvanceQuantum(q);
                     Vector3 at = body.Position.Frame.Origin;
                     Assert.True(RetailMath.IsFinite(at) && RetailMath.IsFinite(body.Velocity));
                     // The lowest point may sink by what the tolerance allows, measured straight down.
@@ -67,7 +67,7 @@ public class BodyProperties
                 {
                     Vector3 before = body.Position.Frame.Origin;
                     double asked = (Math.Max(body.Velocity.Length(), 50) * q) + (0.5 * 9.8 * q * q);
-                    body.Step(q);
+                    body.AdvanceQuantum(q);
                     double moved = Vector3.Distance(before, body.Position.Frame.Origin);
                     // Downhill the step keeps x and y and takes z from the plane: up to 1/N.z longer (spec/03, 4.6, adjust_offset).
                     double longer = 1 / Math.Cos(f.Degrees * Math.PI / 180);
@@ -84,7 +84,7 @@ public class BodyProperties
                 ulong Run()
                 {
                     (PhysicsEngine engine, PhysicsBody body) = Drop(SlopeOf(f.Degrees, f.Direction), f.Start, f.Velocity);
-                    foreach (float q in f.Quanta) body.Step(q);
+                    foreach (float q in f.Quanta) body.AdvanceQuantum(q);
                     return engine.HashState();
                 }
 
@@ -98,7 +98,7 @@ public class BodyProperties
             (degrees, direction, height) =>
             {
                 (_, PhysicsBody body) = Drop(SlopeOf(degrees, direction), new Vector3(0, 0, height), Vector3.Zero);
-                for (int i = 0; i < 600 && (body.IsActive || i < 2); i++) body.Step(1f / 30);
+                for (int i = 0; i < 600 && (body.IsActive || i < 2); i++) body.AdvanceQuantum(1f / 30);
                 Assert.True(body.OnWalkable);
                 Assert.Equal(Vector3.Zero, body.Velocity);
             },

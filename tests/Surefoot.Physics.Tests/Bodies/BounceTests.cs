@@ -17,7 +17,7 @@ public class BounceTests
     {
         BodyFixture f = new();
         f.Seat(new(12, 12, 10), Vector3.Zero, TransientState.None);
-        for (int i = 0; i < steps; i++) f.Body.Step(1f / steps);
+        for (int i = 0; i < steps; i++) f.Body.AdvanceQuantum(1f / steps);
         Assert.Equal(z, f.Z, 5);
     }
 
@@ -28,7 +28,7 @@ public class BounceTests
         f.Seat(new(12, 12, 0), Vector3.Zero, BodyFixture.Standing);
         f.Body.SetOnWalkable(false);
         f.Body.SetVelocity(new Vector3(0, 0, 0.3f));
-        f.Body.Step(BodyFixture.Tick);
+        f.Body.AdvanceQuantum(BodyFixture.Tick);
         Assert.Equal(0f, f.Z);
         Assert.Equal(-0.026666671f, f.Body.Velocity.Z, 7);
         Assert.Equal(TransientState.Contact, f.Body.Transient & ~TransientState.Active);

@@ -70,14 +70,14 @@ public class HeldObjectTests
             [Frame.Identity, At(1, 0, 1), Frame.Identity, At(2, 0, 1), Frame.Identity, At(3, 0, 1)]);
         MotionTableAsset table = new MotionTableBuilder(0x09000001).Style(MotionCommand.NonCombat, MotionCommand.Ready)
             .Cycle(MotionCommand.NonCombat, MotionCommand.Ready, new MotionAsset([new AnimationSpan(wave, 0, -1, 30f)])).Build();
-        holder.AttachMovement(new MovementManager(holder, table, weenie: null));
+        SteeredPhysicsBody.Of(holder).Attach(new MovementManager(holder, table, weenie: null));
         PhysicsBody gem = Spawn(3, Shape, new Vector3(1, 1, 0));
         Assert.True(item.SetParent(holder, Hand));
         Assert.True(gem.SetParent(item, Head));
         List<float> seen = [];
         for (int i = 0; i < 6; i++)
         {
-            holder.Step(BodyFixture.Tick);
+            holder.AdvanceQuantum(BodyFixture.Tick);
             float hand = holder.PartFrame(1).Origin.X;
             AssertNear(new Vector3(hand, 12.25f, 1), item);
             AssertNear(new Vector3(hand, 12.25f, 2.5f), gem);
@@ -108,7 +108,7 @@ public class HeldObjectTests
     public void What_is_taken_leaves_the_ground_and_then_belongs_to_the_cell_of_its_holder()
     {
         QuantumCounter movement = new();
-        item.AttachMovement(movement);
+        SteeredPhysicsBody.Of(item).Attach(movement);
         Assert.True(item.OnWalkable);
         Assert.True(item.SetParent(holder, Hand));
         Assert.Equal((1, TransientState.None), (movement.Leaves, item.Transient));
@@ -235,7 +235,7 @@ public class HeldObjectTests
             for (int i = 0; i < count; i++)
             {
                 holder.SetVelocity(new Vector3(1, 1, 0));
-                holder.Step(BodyFixture.Tick);
+                holder.AdvanceQuantum(BodyFixture.Tick);
             }
         }
 

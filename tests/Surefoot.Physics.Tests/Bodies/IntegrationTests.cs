@@ -1,5 +1,6 @@
 using System.Numerics;
 using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Steering;
 using Surefoot.Physics.Tests.Transitions;
 using Surefoot.Physics.World;
 
@@ -42,7 +43,7 @@ public class IntegrationTests
         };
         for (int quantum = 1; quantum <= 51; quantum++)
         {
-            f.Body.Step(BodyFixture.Tick);
+            f.Body.AdvanceQuantum(BodyFixture.Tick);
             if (!expected.TryGetValue(quantum, out var e)) continue;
             Assert.True(Math.Abs(e.Z - f.Z) <= 1e-6, $"quantum {quantum}: z {f.Z:R}, expected {e.Z:R}");
             Assert.Equal((quantum, e.Vz), (quantum, f.Body.Velocity.Z));
@@ -65,7 +66,7 @@ public class IntegrationTests
         ];
         for (int i = 0; i < expected.Length; i++)
         {
-            f.Body.Step(0.2f);
+            f.Body.AdvanceQuantum(0.2f);
             Assert.True(Math.Abs(expected[i].Z - f.Z) <= 1e-6, $"quantum {i + 1}: z {f.Z:R}");
             Assert.True(Math.Abs(expected[i].Vz - f.Body.Velocity.Z) <= 1e-6, $"quantum {i + 1}: vz {f.Body.Velocity.Z:R}");
         }
@@ -87,7 +88,7 @@ public class IntegrationTests
         for (int quantum = 0; quantum < 100 && !f.Body.OnWalkable; quantum++)
         {
             before = f.Body.Velocity.Z;
-            f.Body.Step(BodyFixture.Tick);
+            f.Body.AdvanceQuantum(BodyFixture.Tick);
         }
 
         Assert.Equal(impact, before + (-9.8f * BodyFixture.Tick), 5);
@@ -113,7 +114,7 @@ public class IntegrationTests
         f.Seat(new(12, 12, 0), Vector3.Zero, Standing);
         f.Body.SetOnWalkable(false);
         f.Body.SetVelocity(new Vector3(0, vy, 9.89949512f));
-        for (int i = 0; i < quanta; i++) f.Body.Step(BodyFixture.Tick);
+        for (int i = 0; i < quanta; i++) f.Body.AdvanceQuantum(BodyFixture.Tick);
         Assert.True(Math.Abs(z - f.Z) <= 1e-6, $"z {f.Z:R}, expected {z:R}");
         Assert.Equal(vz, f.Body.Velocity.Z, 6);
     }
@@ -128,13 +129,13 @@ public class IntegrationTests
         float[] z = [0.0818608999f, 0.15283291f, 0.212916031f, 0.262110263f, 0.300415605f, 0.327832043f, 0.344359607f, 0.349998266f, 0.344553828f];
         foreach (float expected in z)
         {
-            f.Body.Step(BodyFixture.Tick);
+            f.Body.AdvanceQuantum(BodyFixture.Tick);
             Assert.Equal(expected, f.Z, 6);
         }
 
-        for (int quantum = 10; quantum <= 17; quantum++) f.Body.Step(BodyFixture.Tick);
+        for (int quantum = 10; quantum <= 17; quantum++) f.Body.AdvanceQuantum(BodyFixture.Tick);
         Assert.Equal(0.147000074f, f.Body.Velocity.Z, 6);
-        f.Body.Step(BodyFixture.Tick);
+        f.Body.AdvanceQuantum(BodyFixture.Tick);
         Assert.Equal(Vector3.Zero, f.Body.Velocity);
     }
 
@@ -148,13 +149,13 @@ public class IntegrationTests
     {
         BodyFixture f = new();
         f.Seat(new(12, 4, 0), new Vector3(0, v0, 0), Standing);
-        f.Body.Step(q);
+        f.Body.AdvanceQuantum(q);
         Assert.Equal(y1, f.Y, 6);
         Assert.Equal(v1, f.Body.Velocity.Y, 5);
-        for (int i = 1; i < lastMoving; i++) f.Body.Step(q);
+        for (int i = 1; i < lastMoving; i++) f.Body.AdvanceQuantum(q);
         Assert.Equal(yLast, f.Y, 5);
         Assert.Equal(vLast, f.Body.Velocity.Y, 6);
-        f.Body.Step(q);
+        f.Body.AdvanceQuantum(q);
         Assert.Equal(Vector3.Zero, f.Body.Velocity);
     }
 
@@ -187,7 +188,7 @@ public class IntegrationTests
         (float Y, float Vy)[] expected = [(4.15082788f, 4.52483082f), (4.28732204f, 4.09481859f)];
         foreach ((float y, float vy) in expected)
         {
-            f.Body.Step(BodyFixture.Tick);
+            f.Body.AdvanceQuantum(BodyFixture.Tick);
             Assert.Equal(y, f.Y, 6);
             Assert.Equal(vy, f.Body.Velocity.Y, 5);
             Assert.Equal(-0.326666683f, f.Body.Velocity.Z, 6);
@@ -202,7 +203,7 @@ public class IntegrationTests
     {
         BodyFixture f = new(state);
         f.Seat(new(12, 12, 10), new Vector3(3, 0, 4), TransientState.None);
-        f.Body.Step(BodyFixture.Tick);
+        f.Body.AdvanceQuantum(BodyFixture.Tick);
         // The way is worked out from positions stored as float, 0.17 m apart at 12 m.
         Vector3 facing = f.Body.Position.Frame.YAxis, right = f.Body.Position.Frame.XAxis;
         Assert.True(Vector3.Distance(new Vector3(yAxisX, 0, yAxisZ), facing) < 1e-4f, $"faces {facing}");
@@ -226,7 +227,7 @@ public class IntegrationTests
         (float Z, float Vz)[] expected = [(198.331238f, -50.2266693f), (196.659119f, -50.3266678f), (194.987f, -50.3266678f)];
         foreach ((float z, float vz) in expected)
         {
-            f.Body.Step(BodyFixture.Tick);
+            f.Body.AdvanceQuantum(BodyFixture.Tick);
             Assert.Equal(z, f.Z, 5);
             Assert.Equal(vz, f.Body.Velocity.Z, 5);
         }
@@ -248,7 +249,7 @@ public class IntegrationTests
             f.Seat(new(12, 12, 0), Vector3.Zero, Standing);
             f.Body.SetOnWalkable(false);
             f.Body.SetVelocity(new Vector3(0, 0, vz));
-            f.Body.Step(q);
+            f.Body.AdvanceQuantum(q);
             return !f.Body.HasContact;
         }
     }
@@ -271,7 +272,7 @@ public class IntegrationTests
         BodyFixture f = new();
         f.Seat(new(12, 12, 100), new Vector3(0, 0, -10), TransientState.None);
         QuantumCounter counter = new();
-        f.Body.AttachMovement(counter);
+        SteeredPhysicsBody.Of(f.Body).Attach(counter);
         f.Body.UpdateObject(elapsed);
         Assert.Equal(quanta, counter.Count);
         Assert.Equal(advance, f.Body.SimulatedTime, 9);
@@ -301,7 +302,7 @@ public class IntegrationTests
         Assert.Throws<ArgumentException>(() => f.Body.SetHeading(bad));
         Assert.Throws<ArgumentException>(() => f.Body.SetPosition(new PlacementRequest(new(StubWorld.CellId, new Vector3(bad, 0, 0)))));
         Assert.Throws<ArgumentException>(() => f.Body.EnterWorld(new(StubWorld.CellId, new Vector3(0, 0, bad))));
-        Assert.Throws<ArgumentOutOfRangeException>(() => f.Body.Step(bad));
+        Assert.Throws<ArgumentOutOfRangeException>(() => f.Body.AdvanceQuantum(bad));
         Assert.Equal(before, f.Engine.HashState());
     }
 }

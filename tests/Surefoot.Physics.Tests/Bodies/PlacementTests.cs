@@ -114,7 +114,7 @@ public class PlacementTests
     {
         BodyFixture f = new();
         MovementManager movement = new(f.Body, HumanoidTable.Create(links: true), weenie: null);
-        f.Body.AttachMovement(movement);
+        SteeredPhysicsBody.Of(f.Body).Attach(movement);
         Assert.True(f.Body.EnterWorld(new Position(StubWorld.CellId, new Vector3(12, 12, 0))));
         movement.Interpreter.DoInterpretedMotion(MotionCommand.WalkForward, new MovementParameters());
         int links = movement.Animation!.Sequence.LinkCount, pending = movement.Interpreter.PendingCount;

@@ -29,7 +29,7 @@ public class ProbeTests
     public void A_body_whose_step_is_taken_back_loses_its_velocity()
     {
         BodyFixture f = Blocked();
-        f.Body.Step(BodyFixture.Tick);
+        f.Body.AdvanceQuantum(BodyFixture.Tick);
         Assert.Equal(Vector3.Zero, f.Body.Velocity);
         Assert.True(f.Body.OnWalkable);
     }
@@ -41,10 +41,10 @@ public class ProbeTests
         BodyFixture f = new();
         bool first = true;
         f.World.Blocks = _ => first && !(first = false);
-        f.World.IsLoaded = path => path.CheckPos.Frame.Origin.X < 0.3f;
+        f.World.IsLoaded = place => place.X < 0.3f;
         f.Engine.RefuseLeavingCells = true;
         f.Seat(Vector3.Zero, new Vector3(20, 0, 0), BodyFixture.Standing);
-        f.Body.Step(BodyFixture.Tick);
+        f.Body.AdvanceQuantum(BodyFixture.Tick);
         Assert.False(first);
         Assert.Equal(Vector3.Zero, f.Body.Position.Frame.Origin);
         Assert.Equal(Vector3.Zero, f.Body.Velocity);

@@ -1,5 +1,5 @@
-using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
+using Surefoot.Physics.Steering;
 
 namespace Surefoot.Physics.Tests.Bodies;
 

@@ -18,7 +18,7 @@ public class TraceTests
     {
         TraceEntry[] told = Tell(new StubWorld(FlatGround), Vector3.Zero, new(1, 0, 0), Standing);
         Assert.Equal((TraceKind.SweepBegins, new Vector3(1, 0, 0)), (told[0].Kind, told[0].Offset));
-        TraceEntry[] begins = [.. told.Where(e => e.Kind == TraceKind.StepBegins)], ends = [.. told.Where(e => e.Kind == TraceKind.StepEnds)];
+        TraceEntry[] begins = [.. told.Where(e => e.Kind == TraceKind.SubStepBegins)], ends = [.. told.Where(e => e.Kind == TraceKind.SubStepEnds)];
         Assert.Equal([(0, 3), (1, 3), (2, 3)], begins.Select(e => (e.Index, e.Count)));
         Assert.All(begins, e => Assert.Equal(1f / 3, e.Offset.X, 1e-6f));
         // Before the first one the sweep knows only the plane it was given.
@@ -62,7 +62,7 @@ public class TraceTests
     public void A_step_of_which_nothing_is_left_says_so()
     {
         TraceEntry[] told = Tell(new StubWorld(FlatGround), Vector3.Zero, new(0, 0, -0.02f), Standing);
-        Assert.Equal(TraceReason.TooShort, Assert.Single(told, e => e.Kind == TraceKind.StepEnds).Reason);
+        Assert.Equal(TraceReason.TooShort, Assert.Single(told, e => e.Kind == TraceKind.SubStepEnds).Reason);
         Assert.False(told[^1].Succeeded);
     }
 
@@ -111,7 +111,7 @@ public class TraceTests
         TraceEntry[] told = Tell(WallWorld(), new(0, 0, 1), new(0.3f, 0.1f, 0.05f), MoverFlags.None);
         TraceEntry landing = Single(told, TransitionResponse.Landing);
         Assert.Equal((false, TraceReason.NoFooting, new Vector3(-1, 0, 0)), (landing.Succeeded, landing.Reason, landing.Plane.Normal));
-        TraceEntry end = Assert.Single(told, e => e.Kind == TraceKind.StepEnds);
+        TraceEntry end = Assert.Single(told, e => e.Kind == TraceKind.SubStepEnds);
         Assert.Equal((false, TransitionState.Collided, TraceSubjectKind.None), (end.Succeeded, end.Answer, end.Subject.Kind));
     }
 

@@ -1,4 +1,3 @@
-using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.Steering;
 using Surefoot.Physics.Tests.Motion;

@@ -26,7 +26,7 @@ public class RemoteTakeOffTests
         ];
         for (int quantum = 0; quantum < expected.Length; quantum++)
         {
-            f.Body.Step(BodyFixture.Tick);
+            f.Body.AdvanceQuantum(BodyFixture.Tick);
             Assert.Equal(expected[quantum].Y, f.Y, Tolerance);
             Assert.Equal(expected[quantum].Z, f.Z, Tolerance);
             if (quantum == 0) Assert.Equal((new Vector3(0, 3, 6), TransientState.None), (f.Body.Velocity, f.Bits()));
@@ -42,22 +42,22 @@ public class RemoteTakeOffTests
         movement.ApplyUpdate(
             new InterpretedMotionState { ForwardCommand = MotionCommand.RunForward, ForwardSpeed = 2.65f }, autonomous: false);
         f.Body.SetVelocity(new Vector3(0, 3, 6));
-        f.Body.Step(BodyFixture.Tick);
+        f.Body.AdvanceQuantum(BodyFixture.Tick);
         Assert.Equal(0.453333348f, f.Y, Tolerance);
         Assert.Equal(0.200000018f, f.Z, Tolerance);
         Assert.Equal((new Vector3(0, 10.6000004f, 0), TransientState.None), (f.Body.Velocity, f.Bits()));
-        f.Body.Step(BodyFixture.Tick);
+        f.Body.AdvanceQuantum(BodyFixture.Tick);
         Assert.Equal(0.806666732f, f.Y, Tolerance);
         Assert.Equal(0.194555566f, f.Z, Tolerance);
         Assert.Equal(-0.326666683f, f.Body.Velocity.Z);
         foreach (float z in (float[])[0.178222224f, 0.150999993f, 0.11288888f, 0.0638888776f, 0.00399998203f])
         {
-            f.Body.Step(BodyFixture.Tick);
+            f.Body.AdvanceQuantum(BodyFixture.Tick);
             Assert.Equal(z, f.Z, Tolerance);
             Assert.False(f.Body.HasContact);
         }
 
-        f.Body.Step(BodyFixture.Tick);
+        f.Body.AdvanceQuantum(BodyFixture.Tick);
         Assert.True(f.Body.OnWalkable);
         Assert.Equal(0, f.Z, Tolerance);
     }
@@ -69,7 +69,7 @@ public class RemoteTakeOffTests
         f.Body.SetWeenie(WeenieTraits.Present | WeenieTraits.Creature);
         f.Seat(Vector3.Zero, Vector3.Zero, BodyFixture.Standing);
         MovementManager movement = new(f.Body, HumanoidTable.Create(smooth: true), new OtherWeenie());
-        f.Body.AttachMovement(movement);
+        SteeredPhysicsBody.Of(f.Body).Attach(movement);
         return (f, movement);
     }
 }

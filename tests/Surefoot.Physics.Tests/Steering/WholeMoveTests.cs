@@ -87,7 +87,7 @@ public class WholeMoveTests
             Body = Spawn(1, Vector3.Zero);
             Body.SetHeading(heading);
             Movement = new MovementManager(Body, HumanoidTable.Create(smooth: true), new OtherWeenie());
-            Body.AttachMovement(Movement);
+            SteeredPhysicsBody.Of(Body).Attach(Movement);
             Tick(30);
             Assert.False(Movement.MotionsPending);
         }

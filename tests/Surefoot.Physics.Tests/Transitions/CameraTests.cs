@@ -27,7 +27,7 @@ public class CameraTests
     {
         TraceBuffer trace = new();
         Transition t = Sweep(new(0, 0, 1.5f), new(-1.2f, 0, 0.1f), trace);
-        Assert.Equal(7, t.CalcNumSteps().Count);
+        Assert.Equal(7, SubStepPlan.Of(t.Path, t.Object.Has(MoverFlags.IsViewer)).Count);
         Assert.True(t.FindValidPosition());
         Assert.Equal(6, trace.StepCount());
         Assert.True(Vector3.Distance(new(-1.02857137f, 0, 0.300000012f), t.Path.CurrPos.Frame.Origin) < 2e-7f, $"{t.Path.CurrPos.Frame.Origin:R}");
@@ -38,7 +38,7 @@ public class CameraTests
     public void The_camera_flies_level_to_the_very_end()
     {
         Transition t = Sweep(new(0, 0, 1.5f), new(-1, 0, 1.5f));
-        Assert.Equal(4, t.CalcNumSteps().Count);
+        Assert.Equal(4, SubStepPlan.Of(t.Path, t.Object.Has(MoverFlags.IsViewer)).Count);
         Assert.True(t.FindValidPosition());
         Assert.True(Vector3.Distance(new(-1, 0, 1.5f), t.Path.CurrPos.Frame.Origin) < 2e-7f, $"{t.Path.CurrPos.Frame.Origin:R}");
         Assert.False(t.Collision.CollisionNormalValid);
@@ -48,7 +48,7 @@ public class CameraTests
     public void A_way_within_the_tolerance_is_no_way()
     {
         Transition t = Sweep(new(0, 0, 1.5f), new(-0.0001f, 0, 1.5f));
-        Assert.Equal(0, t.CalcNumSteps().Count);
+        Assert.Equal(0, SubStepPlan.Of(t.Path, t.Object.Has(MoverFlags.IsViewer)).Count);
         Assert.True(t.FindValidPosition());
         Assert.Equal(new Vector3(0, 0, 1.5f), t.Path.CurrPos.Frame.Origin);
     }

@@ -99,8 +99,8 @@ public class ContactTests
         {
             Vector3 center = new(0, 0, row.Cz);
             Transition t = At(center, center, row.Flags);
-            t.Path.StepDown = row.Probe;
-            t.Path.CheckWalkable = row.Check;
+            t.Path.SteppingDown = row.Probe;
+            t.Path.CheckingWalkable = row.Check;
             t.Path.StepDownAmount = 0.6f;
             t.Path.WalkInterp = row.Interp;
             TransitionState state = t.ValidateWalkable(t.Path.GlobalSpheres[0], row.Plane, false, row.Water, Cell);

@@ -22,8 +22,8 @@ internal sealed class StubWorld : ICellWorld
 
     internal Func<Transition, bool>? Blocks { set => cell.Blocks = value; }
 
-    /// <summary>Where the cell is loaded for the centre of a sphere path; everywhere without it.</summary>
-    internal Func<SpherePath, bool>? IsLoaded { private get; set; }
+    /// <summary>Where the cell is loaded for a body that is tried there; everywhere without it.</summary>
+    internal Func<Vector3, bool>? IsLoaded { private get; set; }
 
     internal StubCell Cell => cell;
 
@@ -33,11 +33,11 @@ internal sealed class StubWorld : ICellWorld
 
     public ObjCell? GetVisible(uint cellId) => cellId == CellId ? cell : null;
 
-    public void FindCellList(CellArray array, SpherePath path, bool wantHome, ref ObjCell? home)
+    public void FindCellList(CellArray array, in Position position, ReadOnlySpan<Sphere> spheres, bool wantHome, ref ObjCell? home)
     {
         array.Clear();
         array.Add(CellId, cell);
-        if (wantHome) home = IsLoaded is { } loaded && !loaded(path) ? null : cell;
+        if (wantHome) home = IsLoaded is { } loaded && !loaded(position.Frame.Origin) ? null : cell;
     }
 
     public bool AdjustPosition(ref Position position, in Vector3 center, out ObjCell? adjusted)
@@ -128,7 +128,7 @@ internal sealed class StubWorld : ICellWorld
             bool hit = wall.Reaches(foot.Center) && RetailMath.Dot(wall.Normal, foot.Center) + wall.D < foot.Radius - RetailMath.Epsilon;
             if (!hit) return TransitionState.OK;
             if (t.Path.InsertType != InsertType.Transition) return TransitionState.Collided;
-            if (t.Path.StepDown || t.Path.CheckWalkable || t.Path.Collide) return TransitionState.OK;
+            if (t.Path.SteppingDown || t.Path.CheckingWalkable || t.Path.Collide) return TransitionState.OK;
             if (t.Object.Has(MoverFlags.Contact)) return t.StepUp(wall.Normal) ? TransitionState.OK : t.StepUpSlide();
             t.Path.SetCollide(wall.Normal);
             t.Path.WalkableAllowance = RetailMath.LandingZ;

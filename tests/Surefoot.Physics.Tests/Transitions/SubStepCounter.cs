@@ -9,7 +9,7 @@ internal static class SubStepCounter
     {
         int count = 0;
         foreach (ref readonly TraceEntry entry in trace.Entries)
-            if (entry.Kind == TraceKind.StepBegins) count++;
+            if (entry.Kind == TraceKind.SubStepBegins) count++;
         return count;
     }
 }

@@ -40,9 +40,9 @@ public class SubStepTests
     {
         Transition t = WithSphere(radius, flags: viewer ? MoverFlags.IsViewer : MoverFlags.None);
         t.Path.InitPath(null, true, new Position(StubWorld.CellId, Vector3.Zero), new Position(StubWorld.CellId, new Vector3(x, y, z)));
-        Transition.StepPlan plan = t.CalcNumSteps();
+        SubStepPlan plan = SubStepPlan.Of(t.Path, t.Object.Has(MoverFlags.IsViewer));
         Assert.Equal(count, plan.Count);
-        Assert.Equal(new Vector3(px, py, pz), plan.PerStep);
+        Assert.Equal(new Vector3(px, py, pz), plan.PerSubStep);
     }
 
     [Fact, Behaviour("transition.steps.across-a-block-border", "spec/03, 6.2")]
@@ -50,10 +50,10 @@ public class SubStepTests
     {
         Transition t = WithSphere(0.48f);
         t.Path.InitPath(null, true, new Position(0xA9B40001, new Vector3(191, 10, 0)), new Position(0xAAB40001, new Vector3(1, 10, 0)));
-        Transition.StepPlan plan = t.CalcNumSteps();
+        SubStepPlan plan = SubStepPlan.Of(t.Path, t.Object.Has(MoverFlags.IsViewer));
         Assert.Equal(new Vector3(2, 0, 0), plan.Offset);
         Assert.Equal(5, plan.Count);
-        Assert.Equal(new Vector3(0.400000006f, 0, 0), plan.PerStep);
+        Assert.Equal(new Vector3(0.400000006f, 0, 0), plan.PerSubStep);
     }
 
     [Fact, Behaviour("transition.offset.bends", "spec/03, 6.4")]

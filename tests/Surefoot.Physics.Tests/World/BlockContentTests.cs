@@ -67,7 +67,7 @@ public sealed class BlockContentTests
         // A sphere at the portal's plane reaches that cell, which nobody has, and not the land.
         CellArray reached = new();
         ObjCell? home = null;
-        world.FindCellList(reached, new Position(Room, Vector3.Zero), [new Sphere(new Vector3(0.5f, 0.5f, 0), 0.1f)], null, false, ref home);
+        world.FindCellList(reached, new Position(Room, Vector3.Zero), [new Sphere(new Vector3(0.5f, 0.5f, 0), 0.1f)], false, ref home);
         Assert.Equal("A9B40100 A9B4FFFF", CellListTests.Ids(reached));
         Assert.Null(reached[1].Cell);
     }

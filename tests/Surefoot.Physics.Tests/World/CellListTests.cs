@@ -2,6 +2,7 @@ using System.Numerics;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
+using Surefoot.Physics.Transitions.Obstacles;
 using Surefoot.Physics.Transitions;
 using Surefoot.Physics.World;
 
@@ -106,7 +107,7 @@ public sealed class CellListTests
     {
         PhysicsWorld world = Flat(0xA9B40000);
         PhysicsBody body = Enter(world, new Position(0xA9B4003D, new Vector3(191.9f, 100, 0)));
-        Strides.Step(body, new Vector3(0.3f, 0, 0));
+        Strides.Walk(body, new Vector3(0.3f, 0, 0));
         Assert.True(body.IsLost);
         Assert.Null(body.Cell);
         Assert.Equal(0xAAB40005u, body.Position.CellId);
@@ -120,7 +121,7 @@ public sealed class CellListTests
     {
         PhysicsWorld world = Flat(0xFEFE0000);
         PhysicsBody body = Enter(world, new Position(0xFEFE003D, new Vector3(191.9f, 100, 0)));
-        Strides.Step(body, new Vector3(0.3f, 0, 0));
+        Strides.Walk(body, new Vector3(0.3f, 0, 0));
         Assert.False(body.IsLost);
         Assert.Equal(191.9f, body.Position.Frame.Origin.X);
     }
@@ -139,7 +140,7 @@ public sealed class CellListTests
         PhysicsWorld world = Flat(0xA9B40000);
         Transition transition = new(world);
         transition.Path.CurrPos = new Position(0xA9B4000A, new Vector3(x, y, 0));
-        world.GetVisible(0xA9B4000A)!.HandleMoveRestriction(transition);
+        CellObstacle.PushBack((LandCell)world.GetVisible(0xA9B4000A)!, transition);
         Assert.Equal(new Vector3(nx, ny, 0), transition.Collision.CollisionNormal);
     }
 
@@ -157,7 +158,7 @@ public sealed class CellListTests
         world.Restrictions = new Guard(bypass, may);
         ((LandCell)world.GetVisible(0xA9B40002)!).RestrictionObject = 0x70000001;
         PhysicsBody body = Enter(world, new Position(0xA9B40001, new Vector3(12, 23, 0)), weenie);
-        for (int i = 0; i < 10; i++) Strides.Step(body, new Vector3(0, 0.3f, 0));
+        for (int i = 0; i < 10; i++) Strides.Walk(body, new Vector3(0, 0.3f, 0));
         Assert.Equal(enters ? 0xA9B40002u : 0xA9B40001u, body.Position.CellId);
     }
 
@@ -195,7 +196,7 @@ public sealed class CellListTests
     {
         ObjCell? home = null;
         array = new CellArray();
-        world.FindCellList(array, new Position(id, Vector3.Zero), Spheres(center, Radius), null, true, ref home);
+        world.FindCellList(array, new Position(id, Vector3.Zero), Spheres(center, Radius), true, ref home);
         return home;
     }
 

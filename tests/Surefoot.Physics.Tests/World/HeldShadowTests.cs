@@ -27,9 +27,10 @@ public sealed class HeldShadowTests(FirstWorld files) : IClassFixture<FirstWorld
     [Behaviour("body.held.in-the-cells-of-its-holder", "spec/05, 4.17, add_shadows_to_cells @0x00514AE0")]
     public void It_is_listed_where_its_holder_is_and_goes_with_it()
     {
-        (PhysicsWorld world, PhysicsBody holder, PhysicsBody item) = Create();
+        (PhysicsEngine engine, PhysicsBody holder, PhysicsBody item) = Create();
+        PhysicsWorld world = engine.World;
         Assert.Equal(Cells(holder), Cells(item));
-        Strides.Step(holder, new Vector3(0, -0.2f, 0));
+        Strides.Walk(holder, new Vector3(0, -0.2f, 0));
         Assert.Equal(Cells(holder), Cells(item));
         Assert.All(Cells(item), id => Assert.Contains(item, LoadingTests.Listed(world.GetVisible(id)!)));
         holder.LeaveWorld();
@@ -41,9 +42,9 @@ public sealed class HeldShadowTests(FirstWorld files) : IClassFixture<FirstWorld
     [Behaviour("body.held.no-obstacle", "spec/09, 5.11; spec/02, 4.21")]
     public void It_is_no_obstacle_until_it_is_let_go()
     {
-        (_, PhysicsBody holder, PhysicsBody item) = Create();
-        WorldQuery query = holder.Engine.CreateQuery();
-        PhysicsBody walker = holder.Engine.CreateBody(3, Shape);
+        (PhysicsEngine engine, PhysicsBody holder, PhysicsBody item) = Create();
+        WorldQuery query = engine.CreateQuery();
+        PhysicsBody walker = engine.CreateBody(3, Shape);
         Position before = item.Position;
         before.Frame.Origin += new Vector3(-2, 0, 0);
         Assert.True(walker.EnterWorld(before));
@@ -60,7 +61,8 @@ public sealed class HeldShadowTests(FirstWorld files) : IClassFixture<FirstWorld
     [Behaviour("body.held.waits-with-its-holder", "spec/02, 4.17, leave_visibility; spec/09, 5.11")]
     public void When_the_land_goes_its_holder_waits_for_it_and_both_come_back()
     {
-        (PhysicsWorld world, PhysicsBody holder, PhysicsBody item) = Create();
+        (PhysicsEngine engine, PhysicsBody holder, PhysicsBody item) = Create();
+        PhysicsWorld world = engine.World;
         Position place = item.Position;
         world.UnloadLandblock(Block);
         Assert.Equal((true, false), (holder.IsLost, item.IsLost));
@@ -74,7 +76,7 @@ public sealed class HeldShadowTests(FirstWorld files) : IClassFixture<FirstWorld
     private static uint[] Cells(PhysicsBody body) => [.. Enumerable.Range(0, body.ShadowCount).Select(i => body.ShadowAt(i).CellId)];
 
     /// <summary>A body that holds another one two metres before it.</summary>
-    private (PhysicsWorld World, PhysicsBody Holder, PhysicsBody Item) Create()
+    private (PhysicsEngine Engine, PhysicsBody Holder, PhysicsBody Item) Create()
     {
         PhysicsWorld world = files.Load(Block);
         PhysicsEngine engine = new(world);
@@ -84,6 +86,6 @@ public sealed class HeldShadowTests(FirstWorld files) : IClassFixture<FirstWorld
         place.Frame.Origin.Z = height;
         Assert.True(holder.EnterWorld(place));
         Assert.True(item.SetParent(holder, 1));
-        return (world, holder, item);
+        return (engine, holder, item);
     }
 }

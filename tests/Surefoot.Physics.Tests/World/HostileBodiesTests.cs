@@ -74,8 +74,8 @@ public sealed class HostileBodiesTests
         Position put = bare.Position;
         for (int i = 0; i < 40; i++)
         {
-            Strides.Step(walker, new Vector3(0.1f, 0, 0));
-            bare.Step(1f / 30);
+            Strides.Walk(walker, new Vector3(0.1f, 0, 0));
+            bare.AdvanceQuantum(1f / 30);
         }
 
         Assert.Equal(14, walker.Position.Frame.Origin.X, 1e-3f);
@@ -100,7 +100,7 @@ public sealed class HostileBodiesTests
         Position begin = new(Cell, new Vector3(9, 12, 0));
         Assert.False(walker.EnterWorld(begin, slide: false));
         walker.Seat(new BodySeat(begin, Vector3.Zero, TransientState.Contact | TransientState.OnWalkable, new Plane(0, 0, 1, 0), Cell, Vector3.Zero));
-        for (int i = 0; i < 20; i++) Strides.Step(walker, new Vector3(0.2f, 0.01f, 0));
+        for (int i = 0; i < 20; i++) Strides.Walk(walker, new Vector3(0.2f, 0.01f, 0));
         Assert.NotNull(walker.Cell);
         Assert.True(RetailMath.IsFinite(walker.Position.Frame.Origin));
     }
@@ -116,7 +116,7 @@ public sealed class HostileBodiesTests
         Assert.True(world.LoadLandblock(Block));
         PhysicsEngine engine = new(world);
         PhysicsBody walker = Enter(engine, 1, new Vector3(6, 12, 0));
-        for (int i = 0; i < 20; i++) Strides.Step(walker, new Vector3(0.2f, 0, 0));
+        for (int i = 0; i < 20; i++) Strides.Walk(walker, new Vector3(0.2f, 0, 0));
 
         // The first cylinder has a radius of 0.5 m.
         Assert.InRange(walker.Position.Frame.Origin.X, 6.5f, 8 - 0.97f);
@@ -141,7 +141,7 @@ public sealed class HostileBodiesTests
 
         ObjCell cell = world.GetVisible(Cell)!;
         Assert.Equal(bodies.Length, cell.ShadowCount);
-        for (int i = 0; i < bodies.Length; i += 100) Strides.Step(bodies[i], new Vector3(0, 0.1f, 0));
+        for (int i = 0; i < bodies.Length; i += 100) Strides.Walk(bodies[i], new Vector3(0, 0.1f, 0));
         Assert.Equal(bodies.Length, cell.ShadowCount);
         for (int i = 0; i < bodies.Length; i += 100) Assert.Equal(12.1f, bodies[i].Position.Frame.Origin.Y, 1e-3f);
 
@@ -159,7 +159,7 @@ public sealed class HostileBodiesTests
         PhysicsEngine engine = new(world);
         PhysicsBody body = engine.CreateBody(1, Walker, weenie: WeenieTraits.Present);
         Assert.True(body.EnterWorld(new Position(hall, middle)));
-        for (int i = 0; i < 60 && !body.IsLost; i++) Strides.Step(body, new Vector3(0.2f, 0, 0));
+        for (int i = 0; i < 60 && !body.IsLost; i++) Strides.Walk(body, new Vector3(0.2f, 0, 0));
         Assert.True(body.IsLost);
         Assert.Null(body.Cell);
         AssertNobodyIsListed(world, body);

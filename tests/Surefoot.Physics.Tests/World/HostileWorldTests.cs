@@ -85,7 +85,7 @@ public sealed class HostileWorldTests
         // Its portals lead nowhere, and nobody enters.
         ObjCell? home = null;
         CellArray array = new();
-        world.FindCellList(array, new Position(0xA9B40009, Vector3.Zero), CellListTests.Spheres("30 12 0", 0.5f), null, true, ref home);
+        world.FindCellList(array, new Position(0xA9B40009, Vector3.Zero), CellListTests.Spheres("30 12 0", 0.5f), true, ref home);
         Assert.Equal("A9B40009", CellListTests.Ids(array));
     }
 

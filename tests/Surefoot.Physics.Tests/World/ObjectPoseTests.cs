@@ -68,10 +68,10 @@ public class ObjectPoseTests
         PhysicsBody body = Body(Setup((0, 1), (Hook, 5)));
         body.SetPlacement(Hook);
         body.SetPlacement(0);
-        Assert.Empty(body.Engine.Cells.LeftOut);
+        Assert.Empty(body.Population.Cells.LeftOut);
         body.SetPlacement(0x33);
         body.SetPlacement(0x33);
-        LeftOutItem item = Assert.Single(body.Engine.Cells.LeftOut);
+        LeftOutItem item = Assert.Single(body.Population.Cells.LeftOut);
         Assert.Equal((LeftOutKind.Placement, 0x02000001u, 2L, 1u), (item.Kind, item.Id, item.Count, item.FirstIn));
         Assert.Equal("the setup has no placement 0x33", item.Reason);
     }
@@ -86,8 +86,8 @@ public class ObjectPoseTests
         PhysicsBody body = Body(new SetupAsset { Id = 0x02000001, Parts = [new SetupPart(new GfxObjAsset(), Vector3.One)] }.With(SetupAsset.Resting, [Records.FrameAt(new(3, 0, 0))]));
         body.SetState(word);
         Assert.Equal((word, 3f), (body.State, PartAt(body)));
-        Assert.Equal(reason is null ? [] : [reason], body.Engine.Cells.LeftOut.Select(item => item.Reason));
-        Assert.All(body.Engine.Cells.LeftOut, item => Assert.Equal((LeftOutKind.StateBit, 0x02000001u), (item.Kind, item.Id)));
+        Assert.Equal(reason is null ? [] : [reason], body.Population.Cells.LeftOut.Select(item => item.Reason));
+        Assert.All(body.Population.Cells.LeftOut, item => Assert.Equal((LeftOutKind.StateBit, 0x02000001u), (item.Kind, item.Id)));
     }
 
     [Fact, Behaviour("object.pose.follows-the-body", "spec/06, 3; spec/02, 4.17 set_frame")]

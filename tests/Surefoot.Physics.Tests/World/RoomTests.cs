@@ -3,7 +3,6 @@ using System.Numerics;
 using Surefoot.Dats.Records;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Geometry;
-using Surefoot.Physics.Transitions;
 using Surefoot.Physics.World;
 using EnvCell = Surefoot.Physics.World.EnvCell;
 using Frame = Surefoot.Physics.Geometry.Frame;
@@ -130,7 +129,7 @@ public sealed class RoomTests
         (PhysicsWorld world, _, _) = HallWithADoorToNowhere();
         ObjCell? home = null;
         CellArray array = new();
-        world.FindCellList(array, new Position(Hall, Vector3.Zero), CellListTests.Spheres("64.8 84 20.475", 0.48f), null, true, ref home);
+        world.FindCellList(array, new Position(Hall, Vector3.Zero), CellListTests.Spheres("64.8 84 20.475", 0.48f), true, ref home);
         Assert.Equal("A9B40100 A9B40777", CellListTests.Ids(array));
         Assert.Null(array[1].Cell);
         Assert.Equal(Hall, home?.Id);
@@ -182,7 +181,7 @@ public sealed class RoomTests
         CellArray array = new();
         ObjCell? found = null;
         Vector3 at = new(x, 100, 20.5f);
-        world.FindCellList(array, new Position(id, Vector3.Zero), [new Sphere(at, 0.48f)], null, true, ref found);
+        world.FindCellList(array, new Position(id, Vector3.Zero), [new Sphere(at, 0.48f)], true, ref found);
         Assert.Equal(cells, CellListTests.Ids(array));
         Assert.Equal(home, found?.Id);
 
@@ -219,11 +218,10 @@ public sealed class RoomTests
 
     private static CellArray List(uint start, string center, bool doNotLoad, out ObjCell? home, out bool interior)
     {
-        SpherePath path = new();
         CellArray array = new() { DoNotLoadCells = doNotLoad };
         home = null;
-        Rooms().FindCellList(array, new Position(start, Vector3.Zero), CellListTests.Spheres(center, 0.48f), path, true, ref home);
-        interior = path.HitsInteriorCell;
+        Rooms().FindCellList(array, new Position(start, Vector3.Zero), CellListTests.Spheres(center, 0.48f), true, ref home);
+        interior = array.HitsInteriorCell;
         return array;
     }
 

@@ -101,9 +101,9 @@ public sealed class StickyLipTests
     {
         PhysicsBody body = engine.CreateBody(1, Human);
         MovementManager movement = new(body, table, weenie: null);
-        body.AttachMovement(movement);
+        SteeredPhysicsBody.Of(body).Attach(movement);
         Assert.True(body.EnterWorld(new Position(Cell, Origin + new Vector3(0, start, (Slope * start) + 0.2f))));
-        for (int i = 0; i < 60 && !body.OnWalkable; i++) body.Step(Tick);
+        for (int i = 0; i < 60 && !body.OnWalkable; i++) body.AdvanceQuantum(Tick);
         Assert.True(body.OnWalkable);
         Assert.Equal(start, Place(body).Y, 1e-4f);
         Assert.Equal(MotionError.None, movement.Animation!.DoMotion(MotionCommand.RunForward, speed / 4));
@@ -112,7 +112,7 @@ public sealed class StickyLipTests
 
     private static Vector3 Next(PhysicsBody body)
     {
-        body.Step(Tick);
+        body.AdvanceQuantum(Tick);
         return Place(body);
     }
 

@@ -1,6 +1,7 @@
 using System.Numerics;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
+using Surefoot.Physics.Steering;
 
 namespace Surefoot.Physics.Tests.World;
 
@@ -10,12 +11,12 @@ internal sealed class Strides : IBodyMovement
     internal Vector3 Next { get; set; }
 
     /// <summary>Moves a body that stands, by one quantum.</summary>
-    internal static void Step(PhysicsBody body, Vector3 by)
+    internal static void Walk(PhysicsBody body, Vector3 by)
     {
-        if (body.Movement is not Strides) body.AttachMovement(new Strides());
-        ((Strides)body.Movement!).Next = by;
+        if (SteeredPhysicsBody.Of(body).Movement is not Strides) SteeredPhysicsBody.Of(body).Attach(new Strides());
+        ((Strides)SteeredPhysicsBody.Of(body).Movement!).Next = by;
         body.SetActive(true);
-        body.Step(1f / 30);
+        body.AdvanceQuantum(1f / 30);
     }
 
     public void AccumulateRootMotion(float quantum, ref Frame offset) => offset.Origin = Next;

@@ -39,7 +39,7 @@ public sealed class WaterTests
         world.Add(new Landblock(Ground.Flat(Land)));
         world.Add(new Landblock(Ground.Flat(Sea, 0, type)));
         PhysicsBody body = CellListTests.Enter(world, new Position(Land | 1, new Vector3(191, 100, 0)));
-        for (int i = 0; i < 20; i++) Strides.Step(body, new Vector3(0.2f, 0, 0));
+        for (int i = 0; i < 20; i++) Strides.Walk(body, new Vector3(0.2f, 0, 0));
         Assert.Equal(enters ? Sea : Land, CellIds.BlockOf(body.Position.CellId));
         Assert.False(body.IsLost);
     }

@@ -2,6 +2,7 @@ using System.Numerics;
 using CsCheck;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
+using Surefoot.Physics.Steering;
 using Surefoot.Physics.Transitions;
 using Surefoot.Physics.World;
 
@@ -77,7 +78,7 @@ public sealed class WorldPropertyTests(FirstWorld files) : IClassFixture<FirstWo
             for (int i = 0; i < 314; i++)
             {
                 double angle = i * 0.02;
-                Strides.Step(body, new Vector3((float)Math.Cos(angle) * 0.2f, (float)Math.Sin(angle) * 0.2f, 0));
+                Strides.Walk(body, new Vector3((float)Math.Cos(angle) * 0.2f, (float)Math.Sin(angle) * 0.2f, 0));
             }
 
             allocated = GC.GetAllocatedBytesForCurrentThread() - before;
@@ -111,7 +112,7 @@ public sealed class WorldPropertyTests(FirstWorld files) : IClassFixture<FirstWo
                 break;
             default:
                 body ??= Add(engine, files, id, new Position(0xA9B40001, around));
-                for (int i = 0; i < 10; i++) Strides.Step(body, new Vector3(deed.X / 16, deed.Y / 16, 0));
+                for (int i = 0; i < 10; i++) Strides.Walk(body, new Vector3(deed.X / 16, deed.Y / 16, 0));
                 break;
         }
     }
@@ -143,7 +144,7 @@ public sealed class WorldPropertyTests(FirstWorld files) : IClassFixture<FirstWo
             fresh.Path.InitSpheres(body.Setup!.Spheres, body.Scale);
             fresh.Path.SetCheckPos(body.Position, body.Cell);
             ObjCell? home = null;
-            world.FindCellList(fresh.Cells, fresh.Path, false, ref home);
+            world.FindCellList(fresh.Cells, fresh.Path.CheckPos, fresh.Path.CheckSpheres, false, ref home);
             Assert.Equal(Enumerable.Range(0, fresh.Cells.Count).Select(i => fresh.Cells[i].Id).Order(), ids.Order());
         }
 
@@ -158,7 +159,7 @@ public sealed class WorldPropertyTests(FirstWorld files) : IClassFixture<FirstWo
     private static PhysicsBody Add(PhysicsEngine engine, FirstWorld files, uint id, in Position place)
     {
         PhysicsBody body = engine.CreateBody(id, files.Cache.GetSetup(0x02000001), weenie: WeenieTraits.Present | WeenieTraits.Creature);
-        body.AttachMovement(new Strides());
+        SteeredPhysicsBody.Of(body).Attach(new Strides());
         body.EnterWorld(place);
         return body;
     }
@@ -192,7 +193,7 @@ public sealed class WorldPropertyTests(FirstWorld files) : IClassFixture<FirstWo
         Vector3[] way = new Vector3[40];
         for (int i = 0; i < way.Length; i++)
         {
-            Strides.Step(body, stride);
+            Strides.Walk(body, stride);
             Assert.False(body.IsLost);
             way[i] = place.OffsetTo(body.Position);
             Assert.True(body.OnWalkable);

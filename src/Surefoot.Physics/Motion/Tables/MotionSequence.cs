@@ -172,17 +172,17 @@ internal sealed class MotionSequence
         for (int advances = 0; advances < MaxAdvances; advances++)
         {
             ref Node node = ref nodes[current];
-            double rate = node.Framerate, step = rate * quantum, timeLeft = 0;
+            double rate = node.Framerate, frames = rate * quantum, timeLeft = 0;
             double last = Math.Floor(FrameNumber);
-            FrameNumber += step;
-            if (step == 0)
+            FrameNumber += frames;
+            if (frames == 0)
             {
                 if (Math.Abs(quantum) > RetailMath.Epsilon) ApplyPhysics(ref frame, quantum, quantum);
                 return;
             }
 
             bool advance = false, canTime = Math.Abs(rate) > RetailMath.Epsilon;
-            if (step > 0)
+            if (frames > 0)
             {
                 if (Math.Floor(FrameNumber) > node.High)
                 {

@@ -43,8 +43,8 @@ internal static class BallObstacle
         transition.Trace?.HitShape(transition, footHits ? 0 : 1, obstacle);
 
         if (path.ObstructionEthereal || path.InsertType == InsertType.Placement) return TransitionState.Collided;
-        if (path.StepDown) return isCreature ? TransitionState.OK : StepSphereDown(transition, obstacle, offset, radiusSum);
-        if (path.CheckWalkable) return TransitionState.Collided;
+        if (path.SteppingDown) return isCreature ? TransitionState.OK : StepSphereDown(transition, obstacle, offset, radiusSum);
+        if (path.CheckingWalkable) return TransitionState.Collided;
         if (path.Collide) return isCreature ? TransitionState.OK : RestOnSphere(transition, offset, radiusSum);
 
         if (transition.Object.Has(MoverFlags.Contact | MoverFlags.OnWalkable))

@@ -25,21 +25,21 @@ internal static class BspObstacle
 
         if (path.InsertType == InsertType.Placement || path.ObstructionEthereal)
         {
-            bool centerCheck = !path.BuildingCheck || !path.HitsInteriorCell;
+            bool centerCheck = !path.BuildingCheck || !transition.Cells.HitsInteriorCell;
             bool solid = tree.SphereIntersectsSolid(spheres[0], centerCheck) || (two && tree.SphereIntersectsSolid(spheres[1], centerCheck));
             if (!solid) return TransitionState.OK;
             transition.Trace?.HitTree(transition, TraceReason.Overlaps);
             return TransitionState.Collided;
         }
 
-        if (path.CheckWalkable)
+        if (path.CheckingWalkable)
         {
             if (!tree.HitsWalkable(spheres[0], path.LocalSpaceZ, path.WalkableAllowance)) return TransitionState.OK;
             transition.Trace?.HitTree(transition, TraceReason.Supports);
             return TransitionState.Collided;
         }
 
-        if (path.StepDown) return tree.StepSphereDown(transition, scale);
+        if (path.SteppingDown) return tree.StepSphereDown(transition, scale);
 
         Vector3 movement = spheres[0].Center - path.LocalSpaceCurrCenters[0];
         if (path.Collide) return tree.RestOnWalkable(transition, movement, scale);
@@ -232,7 +232,7 @@ internal static class BspObstacle
         const int Tries = 20;
         SpherePath path = transition.Path;
         Sphere foot = path.LocalSpaceSpheres[0], head = path.LocalSpaceSpheres[1];
-        bool two = path.SphereCount > 1, solidCheck = !path.BuildingCheck || !path.HitsInteriorCell;
+        bool two = path.SphereCount > 1, solidCheck = !path.BuildingCheck || !transition.Cells.HitsInteriorCell;
         float radius = foot.Radius;
         PolygonContact hit = default;
         for (int i = 0; i < Tries; i++)

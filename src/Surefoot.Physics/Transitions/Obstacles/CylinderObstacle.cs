@@ -45,8 +45,8 @@ internal static class CylinderObstacle
         transition.Trace?.HitShape(transition, footHits ? 0 : 1, 0);
 
         if (path.InsertType == InsertType.Placement || path.ObstructionEthereal) return TransitionState.Collided;
-        if (path.StepDown) return StepSphereDown(transition, cylinder, offset);
-        if (path.CheckWalkable) return TransitionState.Collided;
+        if (path.SteppingDown) return StepSphereDown(transition, cylinder, offset);
+        if (path.CheckingWalkable) return TransitionState.Collided;
         if (path.Collide) return RestOnTop(transition, cylinder, offset, radiusSum);
 
         if (transition.Object.Has(MoverFlags.Contact | MoverFlags.OnWalkable))

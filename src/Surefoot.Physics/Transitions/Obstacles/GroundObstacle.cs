@@ -35,7 +35,7 @@ internal static class GroundObstacle
                           (plane.Normal.Z * ((double)low.Z - sphere.Radius)) + plane.D + waterDepth;
         if (distance > RetailMath.Epsilon) return TransitionState.OK;
 
-        bool mayStand = path.StepDown || !mover.Has(MoverFlags.OnWalkable) || ObjectInfo.IsValidWalkable(plane.Normal);
+        bool mayStand = path.SteppingDown || !mover.Has(MoverFlags.OnWalkable) || ObjectInfo.IsValidWalkable(plane.Normal);
         transition.Trace?.HitGround(transition, plane, cellId, distance, mayStand ? TraceReason.None : TraceReason.TooSteep);
         TransitionState state = TransitionState.OK;
         if (distance >= -RetailMath.Epsilon)
@@ -44,12 +44,12 @@ internal static class GroundObstacle
         }
         else
         {
-            if (path.CheckWalkable) return TransitionState.Collided;
+            if (path.CheckingWalkable) return TransitionState.Collided;
             float depth = (float)(distance / plane.Normal.Z);
             if (mayStand)
             {
                 TakeContact(transition, plane, isWater, cellId);
-                if (path.StepDown)
+                if (path.SteppingDown)
                 {
                     double interp = UsedInterp(path.WalkInterp, path.StepDownAmount, depth);
                     if (interp >= path.WalkInterp || interp < InterpFloor) return TransitionState.Collided;
@@ -61,7 +61,7 @@ internal static class GroundObstacle
             }
         }
 
-        if (!mover.Has(MoverFlags.Contact) && !path.StepDown)
+        if (!mover.Has(MoverFlags.Contact) && !path.SteppingDown)
         {
             collision.SetCollisionNormal(plane.Normal);
             collision.CollidedWithEnvironment = true;

@@ -17,7 +17,7 @@ internal static class ObjectObstacle
         if (mover.Has(MoverFlags.IsViewer) && (target.Weenie & WeenieTraits.Creature) != 0) return Skip(TraceReason.IgnoredCreature);
 
         bool soft = ethereal || (mover.Ethereal && !isStatic);
-        if (soft && path.StepDown) return Skip(TraceReason.Ethereal);
+        if (soft && path.SteppingDown) return Skip(TraceReason.Ethereal);
         path.ObstructionEthereal = soft;
         bool creature = target.State.Has(PhysicsState.Missile) || (target.Weenie & WeenieTraits.Creature) != 0;
         transition.Trace?.Asks(target);
@@ -26,7 +26,7 @@ internal static class ObjectObstacle
             : target.Setup is null ? TraceReason.NoShape : TraceReason.None;
         TransitionState state = passed == TraceReason.None ? target.Setup!.FindCollisions(transition, target, creature) : TransitionState.OK;
 
-        if (state != TransitionState.OK && !path.StepDown)
+        if (state != TransitionState.OK && !path.SteppingDown)
         {
             if (isStatic)
             {

@@ -22,7 +22,7 @@ public class BallObstacleTests
         .With(p => (p.Collide, p.WalkableAllowance) = (true, RetailMath.LandingZ));
 
     private static Mover Probe(Vector3 check, float amount) =>
-        Walker(check, check).With(p => (p.StepDown, p.StepDownAmount) = (true, amount));
+        Walker(check, check).With(p => (p.SteppingDown, p.StepDownAmount) = (true, amount));
 
     [Fact, Behaviour("ball.touch", "spec/04, 6.12")]
     public void A_walker_that_only_touches_is_free()
@@ -162,7 +162,7 @@ public class BallObstacleTests
     public void A_probe_whose_head_touches_a_ball_far_beside_the_foot_is_not_moved()
     {
         Mover mover = new Mover(Standing, new(2, 0, 0), new(2, 0, 0), 0.48f, new Vector3(-1.5f, 0, 0.9f));
-        mover.Path.StepDown = true;
+        mover.Path.SteppingDown = true;
         mover.Path.StepDownAmount = 0.6f;
         Assert.Equal((TransitionState.Collided, Vector3.Zero), (mover.Ask(Ball), mover.Moved));
         Assert.False(mover.Collision.ContactPlaneValid);
@@ -178,7 +178,7 @@ public class BallObstacleTests
 
     [Fact, Behaviour("ball.footing", "spec/04, 6.16 and 4.8 row 3")]
     public void A_footing_query_takes_any_touch_creatures_too() =>
-        Assert.Equal(TransitionState.Collided, Walker(new(0, 0, 0.9f), new(0, 0, 0.9f)).With(p => p.CheckWalkable = true).Ask(Low, creature: true));
+        Assert.Equal(TransitionState.Collided, Walker(new(0, 0, 0.9f), new(0, 0, 0.9f)).With(p => p.CheckingWalkable = true).Ask(Low, creature: true));
 
     [Fact, Behaviour("ball.placement", "spec/04, 4.8 row 1")]
     public void A_placed_body_must_not_touch_the_ball()

@@ -104,7 +104,7 @@ public class BoxTreeTests
     public void A_probe_stands_on_the_box_and_on_its_edge(float x, float interp, float after)
     {
         Mover mover = new Mover(Standing, new(x, 1, 2.3f), new(x, 1, 2.3f), 0.48f)
-            .With(p => (p.StepDown, p.StepDownAmount, p.WalkInterp) = (true, 0.6f, interp));
+            .With(p => (p.SteppingDown, p.StepDownAmount, p.WalkInterp) = (true, 0.6f, interp));
         Assert.Equal(TransitionState.Adjusted, mover.Ask(Box));
         Assert.Equal((new Vector3(0, 0, 0.180000067f), after), (mover.Moved, mover.Path.WalkInterp));
     }
@@ -114,7 +114,7 @@ public class BoxTreeTests
     [InlineData(-0.2, TransitionState.Collided)]
     [InlineData(-0.3, TransitionState.OK)]
     public void Footing_ends_half_a_radius_beyond_the_edge(float x, TransitionState answer) =>
-        Assert.Equal(answer, new Mover(Standing, new(x, 1, 2.3f), new(x, 1, 2.3f), 0.48f).With(p => p.CheckWalkable = true).Ask(Box));
+        Assert.Equal(answer, new Mover(Standing, new(x, 1, 2.3f), new(x, 1, 2.3f), 0.48f).With(p => p.CheckingWalkable = true).Ask(Box));
 
     [Theory, Behaviour("bsp.placement.box", "spec/04, 6.16")]
     [InlineData(1.7, 1, false, 0.779999971, 0)]

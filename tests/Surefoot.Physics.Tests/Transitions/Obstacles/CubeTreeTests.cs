@@ -113,7 +113,8 @@ public class CubeTreeTests
     [InlineData(0.55, true, true, TransitionState.Collided)]
     public void A_building_lets_a_centre_inside_when_a_room_of_it_is_reached(float z, bool building, bool room, TransitionState answer)
     {
-        Mover mover = At(new(0, 0, z)).With(p => (p.InsertType, p.BuildingCheck, p.HitsInteriorCell) = (InsertType.Placement, building, room));
+        Mover mover = At(new(0, 0, z)).With(p => (p.InsertType, p.BuildingCheck) = (InsertType.Placement, building));
+        mover.Transition.Cells.HitsInteriorCell = room;
         Assert.Equal(answer, mover.Ask(Cube));
         Assert.Equal(Vector3.Zero, mover.Moved);
     }
@@ -148,7 +149,7 @@ public class CubeTreeTests
     [InlineData(0.57, 0.57, 0.2, 1, 0.030000031, 0.849999964)]
     public void A_probe_lifts_the_foot_onto_the_top(float x, float z, float amount, float interp, float lift, float interpAfter)
     {
-        Mover mover = At(new(x, 0, z)).With(p => (p.StepDown, p.StepDownAmount, p.WalkInterp) = (true, amount, interp));
+        Mover mover = At(new(x, 0, z)).With(p => (p.SteppingDown, p.StepDownAmount, p.WalkInterp) = (true, amount, interp));
         float before = mover.At.Z;
         Assert.Equal(TransitionState.Adjusted, mover.Ask(Cube));
         Assert.Equal((before + lift, interpAfter), (mover.At.Z, mover.Path.WalkInterp));
@@ -166,7 +167,7 @@ public class CubeTreeTests
     [InlineData(0.575, 0.575, 0.2)]
     public void A_probe_finds_nothing_out_of_reach(float x, float z, float amount)
     {
-        Mover mover = At(new(x, 0, z)).With(p => (p.StepDown, p.StepDownAmount) = (true, amount));
+        Mover mover = At(new(x, 0, z)).With(p => (p.SteppingDown, p.StepDownAmount) = (true, amount));
         Assert.Equal(TransitionState.OK, mover.Ask(Cube));
         Assert.Equal((Vector3.Zero, 1f, false), (mover.Moved, mover.Path.WalkInterp, mover.Collision.ContactPlaneValid));
         Assert.True(mover.Path.Walkable.IsNone);
@@ -178,7 +179,7 @@ public class CubeTreeTests
     [InlineData(0.56, TransitionState.OK)]
     public void Footing_is_a_walkable_polygon_within_half_the_radius(float x, TransitionState answer)
     {
-        Mover mover = At(new(x, 0, 0.55f)).With(p => (p.CheckWalkable, p.WalkableAllowance) = (true, RetailMath.LandingZ));
+        Mover mover = At(new(x, 0, 0.55f)).With(p => (p.CheckingWalkable, p.WalkableAllowance) = (true, RetailMath.LandingZ));
         Assert.Equal(answer, mover.Ask(Cube));
     }
 

@@ -65,7 +65,7 @@ public class CylinderObstacleTests
     [InlineData(0.165, -0.0909092724)]
     public void A_probe_is_lifted_onto_the_top_and_the_top_counts_as_water(float amount, float interp)
     {
-        Mover mover = Walker(new(-0.2f, 0, 1.3f), new(-0.2f, 0, 1.3f)).With(p => (p.StepDown, p.StepDownAmount) = (true, amount));
+        Mover mover = Walker(new(-0.2f, 0, 1.3f), new(-0.2f, 0, 1.3f)).With(p => (p.SteppingDown, p.StepDownAmount) = (true, amount));
         float before = mover.At.Z;
         Assert.Equal(TransitionState.Adjusted, mover.Ask(Cylinder));
         Assert.Equal((before + 0.180000037f, interp), (mover.At.Z, mover.Path.WalkInterp));
@@ -76,7 +76,7 @@ public class CylinderObstacleTests
     [Fact, Behaviour("cylinder.step-down.refused", "spec/04, 6.13")]
     public void A_probe_too_short_is_refused()
     {
-        Mover mover = Walker(new(-0.2f, 0, 1.3f), new(-0.2f, 0, 1.3f)).With(p => (p.StepDown, p.StepDownAmount) = (true, 0.15f));
+        Mover mover = Walker(new(-0.2f, 0, 1.3f), new(-0.2f, 0, 1.3f)).With(p => (p.SteppingDown, p.StepDownAmount) = (true, 0.15f));
         Assert.Equal((TransitionState.Collided, Vector3.Zero), (mover.Ask(Cylinder), mover.Moved));
     }
 
@@ -156,7 +156,7 @@ public class CylinderObstacleTests
     public void Placement_and_footing_take_any_touch()
     {
         Assert.Equal(TransitionState.Collided, Walker(new(0.9f, 0, 0.5f), new(0.9f, 0, 0.5f)).With(p => p.InsertType = InsertType.Placement).Ask(Cylinder));
-        Assert.Equal(TransitionState.Collided, Walker(new(0.9f, 0, 0.5f), new(0.9f, 0, 0.5f)).With(p => p.CheckWalkable = true).Ask(Cylinder));
+        Assert.Equal(TransitionState.Collided, Walker(new(0.9f, 0, 0.5f), new(0.9f, 0, 0.5f)).With(p => p.CheckingWalkable = true).Ask(Cylinder));
         Assert.Equal(TransitionState.OK, Walker(new(1, 0, 0.5f), new(1, 0, 0.5f)).With(p => p.InsertType = InsertType.Placement).Ask(Cylinder));
     }
 }

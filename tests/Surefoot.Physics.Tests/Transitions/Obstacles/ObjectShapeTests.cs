@@ -33,10 +33,10 @@ public class ObjectShapeTests
     [Fact, Behaviour("object.part.placed", "spec/06, 8, CPartArray::UpdateParts")]
     public void A_part_is_placed_by_its_pose_the_object_s_scale_and_its_turn()
     {
-        Position part = SetupAsset.PlacePart(
-            new Position(1, new Frame(new(10, 20, 30), new Quaternion(0, 0, Root, Root))), new Frame(new(1, 0, 0.5f), Quaternion.Identity), 2);
-        Assert.Equal(new Vector3(10, 22, 31), part.Frame.Origin, (a, b) => (a - b).Length() < 2e-6f);
-        Assert.Equal((1u, new Quaternion(0, 0, Root, Root)), (part.CellId, part.Frame.Rotation));
+        Frame part = SetupAsset.PlacePart(
+            new Frame(new(10, 20, 30), new Quaternion(0, 0, Root, Root)), new Frame(new(1, 0, 0.5f), Quaternion.Identity), 2);
+        Assert.Equal(new Vector3(10, 22, 31), part.Origin, (a, b) => (a - b).Length() < 2e-6f);
+        Assert.Equal(new Quaternion(0, 0, Root, Root), part.Rotation);
     }
 
     [Fact, Behaviour("object.part.scale-z", "spec/06, 8: default scale (0.5,0.5,2) at scale 2 tests with 4")]

@@ -123,7 +123,7 @@ public class TargetRuleTests
         path.InitPath(null, true, place, place);
         path.SetCheckPos(place, null);
         path.InsertType = InsertType.Placement;
-        path.StepDown = stepDown;
+        path.SteppingDown = stepDown;
 
         WorldObject target = new(2, Ball, state) { Weenie = weenie };
         target.SeatAt(new Position(StubWorld.CellId, new Vector3(12.2f, 12, 5)), null);

@@ -107,9 +107,9 @@ public class TreePropertyTests
                     MoverFlags.OnWalkable])[kind];
                 Mover mover = new Mover(flags, at * 4, (at * 4) + (way * 0.5f), 0.48f, two ? new Vector3(0, 0, 0.87f) : null).LastStoodOn(Vector3.UnitZ);
                 mover.Path.StepDownAmount = 0.6f;
-                mover.Path.StepDown = mode == 1;
+                mover.Path.SteppingDown = mode == 1;
                 mover.Path.Collide = mode == 2;
-                mover.Path.CheckWalkable = mode == 3;
+                mover.Path.CheckingWalkable = mode == 3;
                 if (mode == 4) mover.Path.InsertType = InsertType.Placement;
                 if (mode == 5) mover.Path.InsertType = InsertType.InitialPlacement;
                 TransitionState state = mover.Ask(tree);
@@ -131,9 +131,9 @@ public class TreePropertyTests
                     MoverFlags.OnWalkable])[kind];
                 Mover mover = new Mover(flags, at * 2, (at * 2) + (way * 0.5f), 0.48f, two ? new Vector3(0, 0, 0.87f) : null).LastStoodOn(Vector3.UnitZ);
                 mover.Path.StepDownAmount = 0.6f;
-                mover.Path.StepDown = mode == 1;
+                mover.Path.SteppingDown = mode == 1;
                 mover.Path.Collide = mode == 2;
-                mover.Path.CheckWalkable = mode == 3;
+                mover.Path.CheckingWalkable = mode == 3;
                 if (mode == 4) mover.Path.InsertType = InsertType.Placement;
                 TransitionState state = ball ? mover.Ask(new Sphere(Vector3.Zero, size)) : mover.Ask(new CylSphere(Vector3.Zero, size, 1.5f * size));
                 Assert.True(RetailMath.IsFinite(mover.At));
@@ -156,8 +156,8 @@ public class TreePropertyTests
 
                 Mover Fresh() => new Mover(MoverFlags.None, way * 5, (way * 5) + (at * 0.4f), 0.48f, new Vector3(0, 0, 0.87f)).LastStoodOn(Vector3.UnitZ);
                 Mover through = Fresh(), direct = Fresh();
-                TransitionState expected = mesh.FindCollisions(
-                    direct.Transition, SetupAsset.PlacePart(target.Position, pose, scale), (float)((double)0.7f * scale));
+                Position part = new(Mover.CellId, SetupAsset.PlacePart(target.Position.Frame, pose, scale));
+                TransitionState expected = mesh.FindCollisions(direct.Transition, part, (float)((double)0.7f * scale));
                 Assert.Equal(expected, setup.FindCollisions(through.Transition, target, false));
                 Assert.Equal(direct.At, through.At);
                 Assert.Equal(direct.Path.Collide, through.Path.Collide);
@@ -189,9 +189,9 @@ public class TreePropertyTests
         {
             for (int mode = 0; mode < 5; mode++)
             {
-                mover.Path.StepDown = mode == 1;
+                mover.Path.SteppingDown = mode == 1;
                 mover.Path.Collide = mode == 2;
-                mover.Path.CheckWalkable = mode == 3;
+                mover.Path.CheckingWalkable = mode == 3;
                 mover.Path.InsertType = mode == 4 ? InsertType.Placement : InsertType.Transition;
                 mover.Ask(tree);
                 mover.Ask(deep);

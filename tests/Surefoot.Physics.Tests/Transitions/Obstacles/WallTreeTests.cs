@@ -118,7 +118,7 @@ public class WallTreeTests
     [InlineData(-0.42, 0.899999976, -0.499999911)]
     public void A_probe_reaches_a_floor_half_its_length_above_where_it_began(float z, float lift, float interp)
     {
-        Mover mover = new Mover(Standing, new(0, 0, 1), new(0.1f, 0, z), 0.48f, Head).With(p => (p.StepDown, p.StepDownAmount) = (true, 0.6f));
+        Mover mover = new Mover(Standing, new(0, 0, 1), new(0.1f, 0, z), 0.48f, Head).With(p => (p.SteppingDown, p.StepDownAmount) = (true, 0.6f));
         float before = mover.At.Z;
         Assert.Equal(TransitionState.Adjusted, mover.Ask(Floor));
         Assert.Equal((before + lift, interp), (mover.At.Z, mover.Path.WalkInterp));
@@ -127,7 +127,7 @@ public class WallTreeTests
     [Fact, Behaviour("bsp.step-down.tangent", "spec/04, 6.10")]
     public void A_probe_that_is_exactly_tangent_finds_nothing()
     {
-        Mover mover = new Mover(Standing, new(0, 0, 1), new(0.1f, 0, 0.48f), 0.48f, Head).With(p => (p.StepDown, p.StepDownAmount) = (true, 0.6f));
+        Mover mover = new Mover(Standing, new(0, 0, 1), new(0.1f, 0, 0.48f), 0.48f, Head).With(p => (p.SteppingDown, p.StepDownAmount) = (true, 0.6f));
         Assert.Equal(TransitionState.OK, mover.Ask(Floor));
     }
 
@@ -152,7 +152,7 @@ public class WallTreeTests
     {
         foreach (MoverFlags flags in (MoverFlags[])[Standing, MoverFlags.None, MoverFlags.PathClipped, PerfectMissile])
         {
-            foreach (Action<SpherePath> mode in (Action<SpherePath>[])[_ => { }, p => p.StepDown = true, p => p.Collide = true, p => p.CheckWalkable = true])
+            foreach (Action<SpherePath> mode in (Action<SpherePath>[])[_ => { }, p => p.SteppingDown = true, p => p.Collide = true, p => p.CheckingWalkable = true])
             {
                 Mover mover = new Mover(flags, new(0, 0, 1), new(0.1f, 0, 0.3f), 0.48f, Head).With(mode);
                 mover.Path.StepDownAmount = 0.6f;

@@ -4,13 +4,18 @@ using Surefoot.Physics.World;
 namespace Surefoot.Physics.Bodies;
 
 /// <summary>
-/// What moves a body that does not move by itself: corrections of a server, sticking to an object, a leash, tracking a target. The body
-/// makes it when the
-/// first of these is asked for and calls it in each quantum.
+/// What drives a body: its motions, and what a server makes of it (corrections, sticking, a leash, tracking). The only way in which bodies call what is built on
+/// them.
 /// </summary>
-/// <remarks>Retail: PositionManager and TargetManager as CPhysicsObj calls them.</remarks>
-internal interface IBodySteering
+/// <remarks>Retail: MovementManager, PositionManager and TargetManager as CPhysicsObj calls them, and the motion side of CPartArray.</remarks>
+internal interface IBodyDriver
 {
+    /// <summary>The body has a motion side: it stays awake while it stands.</summary>
+    bool HasMotions { get; }
+
+    /// <summary>Moves or turns to a place or an object by itself.</summary>
+    bool IsMovingTo { get; }
+
     /// <summary>Follows positions that a server told.</summary>
     bool IsInterpolating { get; }
 
@@ -20,17 +25,38 @@ internal interface IBodySteering
     /// <summary>Id of the object the body sticks to, 0 for none.</summary>
     uint StickyObjectId { get; }
 
+    /// <summary>
+    /// Frames of the body's parts as they are animated now, in the body's frame at scale 1, metres; empty when nothing animates them: they are then where they
+    /// were put down.
+    /// </summary>
+    ReadOnlySpan<Frame> PartFrames { get; }
+
+    /// <summary>The body now stands; the bit is already written. Must not start a transition.</summary>
+    void HitGround();
+
+    /// <summary>The body no longer stands; the bit is already written. Must not start a transition.</summary>
+    void LeaveGround();
+
+    /// <summary>Adds the motion of one quantum, in the body's own frame, metres and radians.</summary>
+    /// <param name="quantum">Seconds.</param>
+    /// <param name="offset">Starts as the identity.</param>
+    void AccumulateRootMotion(float quantum, ref Frame offset);
+
     /// <summary>May replace or scale the motion of one quantum, in the body's own frame.</summary>
     /// <param name="offset">The motion: metres and an orientation.</param>
     /// <param name="quantum">Seconds.</param>
     void AdjustOffset(ref Frame offset, float quantum);
 
-    /// <summary>First at the end of a quantum, before the motions: what is tracked, and who tracks.</summary>
-    /// <param name="physicsTime">Simulated time of the body, seconds.</param>
-    void HandleTargetting(double physicsTime);
+    /// <summary>Does what the animations passed in this quantum: called after the velocity was integrated and before the body is moved.</summary>
+    /// <remarks>Retail: the animation hooks of CPhysicsObj::process_hooks @0x00511550.</remarks>
+    void ProcessHooks();
 
-    /// <summary>Last at the end of a quantum: blips, and the end of sticking.</summary>
-    void UseTime();
+    /// <summary>The quantum was committed. The order is retail's: targets, move-to and pending motions, then blips and the end of sticking.</summary>
+    /// <param name="physicsTime">Simulated time of the body, seconds.</param>
+    void EndQuantum(double physicsTime);
+
+    /// <summary>Ends a move-to or turn-to under way.</summary>
+    void CancelMoveTo();
 
     /// <summary>Follows a position that a server told.</summary>
     /// <param name="place">Where the body is to be.</param>
@@ -61,28 +87,15 @@ internal interface IBodySteering
     /// <param name="contact">The body touches the ground there.</param>
     PositionUpdate MoveOrTeleport(in Position place, bool teleported, bool contact);
 
+    /// <summary>The body came into the world: links are dropped.</summary>
+    void HandleEnterWorld();
+
     /// <summary>The body was teleported: whatever was pending ends, and whoever tracks it is told.</summary>
     void HandleTeleport();
 
-    /// <summary>The body leaves the world: it lets go, and whoever tracks it is told.</summary>
+    /// <summary>The body leaves the world: everything pending ends, it lets go, and whoever tracks it is told.</summary>
     void HandleExitWorld();
 
     /// <summary>Adds what decides over the body's future to a hash.</summary>
     void AddTo(ref StateHash hash);
-}
-
-/// <summary>What a body did about a position of a server.</summary>
-public enum PositionUpdate
-{
-    /// <summary>Nothing: it falls, and the server's body did not stand.</summary>
-    Ignored,
-
-    /// <summary>Follows it.</summary>
-    Interpolated,
-
-    /// <summary>Was put there, being far from the local player.</summary>
-    Placed,
-
-    /// <summary>Was teleported there.</summary>
-    Teleported,
 }

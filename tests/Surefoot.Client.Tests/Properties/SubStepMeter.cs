@@ -5,25 +5,25 @@ using Surefoot.Physics.World;
 
 namespace Surefoot.Client.Tests.Properties;
 
-/// <summary>Measures each step of a sweep: what was asked, what answered, and how far the body was accepted.</summary>
-internal static class StepMeter
+/// <summary>Measures each sub-step of a sweep: what was asked, what answered, and how far the body was accepted.</summary>
+internal static class SubStepMeter
 {
     /// <summary>The sub-steps that were told.</summary>
-    internal static List<Step> Read(TraceBuffer trace)
+    internal static List<SubStep> Read(TraceBuffer trace)
     {
-        List<Step> steps = [];
+        List<SubStep> steps = [];
         Position begin = default;
-        Step open = default;
+        SubStep open = default;
         foreach (ref readonly TraceEntry entry in trace.Entries)
         {
             Position place = new(entry.CellId, entry.Origin);
             switch (entry.Kind)
             {
-                case TraceKind.StepBegins:
+                case TraceKind.SubStepBegins:
                     begin = place;
-                    open = new Step(entry.Offset, entry.Plane == default ? null : entry.Plane);
+                    open = new SubStep(entry.Offset, entry.Plane == default ? null : entry.Plane);
                     break;
-                case TraceKind.StepEnds:
+                case TraceKind.SubStepEnds:
                     steps.Add(open with { Moved = begin.OffsetTo(place), End = place });
                     break;
                 case TraceKind.Responded when entry.Succeeded:
@@ -44,7 +44,7 @@ internal static class StepMeter
     /// <summary>One step of a sweep.</summary>
     /// <param name="Asked">Displacement asked for, metres.</param>
     /// <param name="Floor">Plane touched at its beginning, or null.</param>
-    internal readonly record struct Step(Vector3 Asked, Plane? Floor)
+    internal readonly record struct SubStep(Vector3 Asked, Plane? Floor)
     {
         /// <summary>Displacement accepted, metres.</summary>
         internal Vector3 Moved { get; init; }
@@ -67,7 +67,7 @@ internal static class StepMeter
 /// with its numbers by a behaviour of its own: <c>transition.offset.bends</c>, <c>transition.offset.unsinks</c>, <c>transition.slide.table</c>,
 /// <c>transition.cliff-slide.table</c>, <c>transition.terrain-contact.table</c>, <c>bsp.step-down.reach</c>, <c>polygon.rest.before-the-begin</c>.
 /// </summary>
-internal readonly struct Reach(StepMeter.Step step, PhysicsBody body)
+internal readonly struct Reach(SubStepMeter.SubStep step, PhysicsBody body)
 {
     private const double Rounding = 0.001;
 

@@ -5,7 +5,7 @@ namespace Surefoot.Physics.Bodies;
 
 /// <summary>A collision with terrain, a building, a room or a static object.</summary>
 /// <param name="Velocity">Own velocity before any bounce, m/s, world axes.</param>
-/// <param name="HadContact">The body touched a plane before the step.</param>
+/// <param name="HadContact">The body touched a plane before the sweep.</param>
 public readonly record struct EnvironmentCollision(Vector3 Velocity, bool HadContact);
 
 /// <summary>A collision with another object.</summary>
@@ -23,7 +23,7 @@ public readonly record struct ObjectCollision(
 /// <param name="Quadrant">Where: 8 left or 16 right, 32 front or 64 back, 1 high, 2 medium or 4 low.</param>
 public readonly record struct AttackCollision(uint ObjectId, int Quadrant);
 
-/// <summary>Is told of a body's collisions. Called inside a step: it may set velocities but must not move bodies.</summary>
+/// <summary>Is told of a body's collisions. Called inside a quantum: it may set velocities but must not move bodies.</summary>
 /// <remarks>Retail: the DoCollision family of the weenie.</remarks>
 public interface ICollisionListener
 {

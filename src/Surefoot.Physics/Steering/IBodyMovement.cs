@@ -1,6 +1,7 @@
+using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
 
-namespace Surefoot.Physics.Bodies;
+namespace Surefoot.Physics.Steering;
 
 /// <summary>
 /// The side of a body that wants to move: its motion interpreter and its animations. The body calls it once per quantum and when
