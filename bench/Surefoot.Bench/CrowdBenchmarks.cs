@@ -26,7 +26,7 @@ public class CrowdBenchmarks
     {
         dats = DatSet.Open(DemoWorldCache.GetOrCreate());
         run = Scenes.Scene.Find(Scene).Begin(dats);
-        for (int i = 0; i < 60; i++) run.Step();
+        for (int i = 0; i < 60; i++) run.AdvanceQuantum();
     }
 
     /// <summary>Closes the files.</summary>
@@ -35,5 +35,5 @@ public class CrowdBenchmarks
 
     /// <summary>One tick of all, divided by their number.</summary>
     [Benchmark(OperationsPerInvoke = Runners.CrowdSize)]
-    public void Tick() => run.Step();
+    public void Tick() => run.AdvanceQuantum();
 }

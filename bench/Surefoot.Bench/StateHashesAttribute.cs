@@ -36,7 +36,7 @@ internal sealed class StateHashesAttribute : Attribute, IConfigSource
         public string GetValue(Summary summary, BenchmarkCase benchmarkCase)
         {
             using DatSet dats = DatSet.Open(DemoWorldCache.GetOrCreate());
-            return $"{Scene.Find((string)benchmarkCase.Parameters[nameof(StepBenchmarks.Scene)]).Hash(dats):x16}";
+            return $"{Scene.Find((string)benchmarkCase.Parameters[nameof(QuantumBenchmarks.Scene)]).Hash(dats):x16}";
         }
 
         public string GetValue(Summary summary, BenchmarkCase benchmarkCase, SummaryStyle style) => GetValue(summary, benchmarkCase);

@@ -18,5 +18,5 @@ internal sealed class CrowdRun : SceneRun
     }
 
     /// <summary>One tick of all of them.</summary>
-    public override void Step() => Engine.Tick(now += Quantum + 1e-9);
+    public override void AdvanceQuantum() => Engine.Tick(now += Quantum + 1e-9);
 }

@@ -20,19 +20,19 @@ internal sealed record PlayerAct(string Place, MovementKeys Keys)
     public Vector3? Airborne { get; init; }
 
     /// <summary>Quanta until it is put back where it began.</summary>
-    public int Steps { get; init; } = 60;
+    public int Quanta { get; init; } = 60;
 }
 
 /// <summary>A player who holds some keys, and goes back to where it began now and then.</summary>
 internal sealed class PlayerRun : SceneRun
 {
     private const uint PlayerId = 0x50000001;
-    private const int SettlingSteps = 10, StepsWithKeys = 2;
+    private const int SettlingQuanta = 10, QuantaWithKeys = 2;
 
     private readonly PhysicsBody body;
     private readonly BodySeat seat;
-    private readonly int stepsBeforeReturn;
-    private int steps;
+    private readonly int quantaBeforeReturn;
+    private int quanta;
 
     internal PlayerRun(DatSet dats, PlayerAct act)
         : base(dats)
@@ -41,13 +41,13 @@ internal sealed class PlayerRun : SceneRun
         LocalPlayer player = LocalPlayer.Spawn(Engine, PlayerId, Human, Motions, Load(act.Place, 2), server)
             ?? throw new InvalidOperationException($"There is no room at {act.Place}.");
         double now = 0;
-        for (int i = 0; i < SettlingSteps + StepsWithKeys; i++)
+        for (int i = 0; i < SettlingQuanta + QuantaWithKeys; i++)
         {
-            player.Update(i < SettlingSteps ? MovementKeys.None : act.Keys, now += Quantum);
+            player.Update(i < SettlingQuanta ? MovementKeys.None : act.Keys, now += Quantum);
             Engine.Tick(now);
         }
 
-        stepsBeforeReturn = act.Steps;
+        quantaBeforeReturn = act.Quanta;
         body = player.Body;
         Position start = body.Position;
         start.Frame.Origin += new Vector3(0, act.Offset.X, act.Offset.Y);
@@ -57,15 +57,15 @@ internal sealed class PlayerRun : SceneRun
         Return();
     }
 
-    public override void Step()
+    public override void AdvanceQuantum()
     {
-        if (++steps > stepsBeforeReturn) Return();
-        body.Step(Quantum);
+        if (++quanta > quantaBeforeReturn) Return();
+        body.AdvanceQuantum(Quantum);
     }
 
     private void Return()
     {
-        steps = 1;
+        quanta = 1;
         body.Seat(seat);
         body.SetActive(true);
     }

@@ -15,7 +15,7 @@ namespace Surefoot.Scenes;
 /// </summary>
 public sealed class ProbeRun : SceneRun
 {
-    private const int Quanta = 60, SettlingSteps = 10;
+    private const int Quanta = 60, SettlingQuanta = 10;
 
     private readonly List<Way[]> runs = [];
 
@@ -39,17 +39,17 @@ public sealed class ProbeRun : SceneRun
         }
 
         double now = 0;
-        for (int step = -SettlingSteps; step < Quanta; step++)
+        for (int quantum = -SettlingQuanta; quantum < Quanta; quantum++)
         {
             now += Quantum + 1e-9;
             for (int i = 0; i < runners; i++)
             {
-                players[i].Update(step < 0 ? MovementKeys.None : MovementKeys.Forward, now);
-                if (step >= 0) runs[i][step] = Way.Of(players[i].Body);
+                players[i].Update(quantum < 0 ? MovementKeys.None : MovementKeys.Forward, now);
+                if (quantum >= 0) runs[i][quantum] = Way.Of(players[i].Body);
             }
 
             Engine.Tick(now);
-            for (int i = 0; step >= 0 && i < runners; i++) runs[i][step] = runs[i][step] with { To = players[i].Body.Position };
+            for (int i = 0; quantum >= 0 && i < runners; i++) runs[i][quantum] = runs[i][quantum] with { To = players[i].Body.Position };
         }
 
         Bodies = [.. players.Select(player => player.Body)];
@@ -59,7 +59,7 @@ public sealed class ProbeRun : SceneRun
     public IReadOnlyList<PhysicsBody> Bodies { get; }
 
     /// <summary>All players go on by a quantum.</summary>
-    public override void Step() => Engine.Tick(Engine.Now + Quantum + 1e-9);
+    public override void AdvanceQuantum() => Engine.Tick(Engine.Now + Quantum + 1e-9);
 
     /// <summary>Asks about each quantum of a player's run once.</summary>
     /// <param name="query">The asking thread's own.</param>

@@ -11,7 +11,7 @@ namespace Surefoot.Scenes;
 /// <summary>A scene that goes on.</summary>
 public abstract class SceneRun
 {
-    /// <summary>Seconds of a step.</summary>
+    /// <summary>Seconds of a quantum.</summary>
     protected const float Quantum = 1f / 30;
 
     private const uint HumanSetup = 0x02000001;
@@ -39,7 +39,7 @@ public abstract class SceneRun
     private protected MotionTableAsset Motions { get; }
 
     /// <summary>One quantum of 1/30 s.</summary>
-    public abstract void Step();
+    public abstract void AdvanceQuantum();
 
     /// <summary>A named place of the demo world, which is loaded around it.</summary>
     private protected Position Load(string name, int radius)

@@ -17,7 +17,7 @@ namespace Surefoot.Scenes;
 /// </summary>
 internal sealed class TourRun : SceneRun
 {
-    private const int StepsPerPlace = 75, StepsPerKeys = 15;
+    private const int QuantaPerPlace = 75, QuantaPerKeys = 15;
     private const uint PlayerId = 0x50000001, FirstThrown = 0x60000001, FirstSpawned = 0x80000001;
     private const uint SmallCreatureSetup = 0x02000100;
 
@@ -35,7 +35,7 @@ internal sealed class TourRun : SceneRun
     private LocalPlayer? player;
     private MovementKeys keys;
     private double now;
-    private int steps;
+    private int quanta;
     private ulong rolls = 1;
 
     internal TourRun(DatSet dats)
@@ -52,14 +52,14 @@ internal sealed class TourRun : SceneRun
         }
     }
 
-    /// <summary>Steps of the whole tour.</summary>
-    internal static int StepCount => StepsPerPlace * DemoPlaces.All.Length;
+    /// <summary>Quanta of the whole tour.</summary>
+    internal static int QuantumCount => QuantaPerPlace * DemoPlaces.All.Length;
 
-    public override void Step()
+    public override void AdvanceQuantum()
     {
-        if (steps % StepsPerPlace == 0) Visit(DemoPlaces.All[steps / StepsPerPlace % DemoPlaces.All.Length]);
-        if (steps % StepsPerKeys == 0) keys = Fingers[(int)(Roll() * Fingers.Length)];
-        steps++;
+        if (quanta % QuantaPerPlace == 0) Visit(DemoPlaces.All[quanta / QuantaPerPlace % DemoPlaces.All.Length]);
+        if (quanta % QuantaPerKeys == 0) keys = Fingers[(int)(Roll() * Fingers.Length)];
+        quanta++;
         now += Quantum + 1e-9;
         player?.Update(keys, now);
         Engine.Tick(now);

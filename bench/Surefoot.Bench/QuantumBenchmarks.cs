@@ -8,7 +8,7 @@ namespace Surefoot.Bench;
 /// <summary>One quantum of 1/30 s of a running player with skill 300.</summary>
 [MemoryDiagnoser]
 [StateHashes]
-public class StepBenchmarks
+public class QuantumBenchmarks
 {
     private DatSet dats = null!;
     private SceneRun run = null!;
@@ -34,5 +34,5 @@ public class StepBenchmarks
 
     /// <summary>One quantum.</summary>
     [Benchmark]
-    public void Step() => run.Step();
+    public void Advance() => run.AdvanceQuantum();
 }
