@@ -14,6 +14,7 @@ public sealed class DrawingTests(Browser browser)
     [Behaviour("workbench.page.dungeon-shows-no-land", "design.md, Who uses it")]
     public async Task In_the_dungeon_neither_sky_nor_sea_nor_sun_is_seen_and_outside_they_are()
     {
+        Browser.SkipUnlessAllAreWanted();
         await using Tab tab = await browser.OpenAsync("?off=panels");
         Assert.True((await Picture(tab)).Count(IsBlue) > 200, "the sky over the meadow is blue");
         await tab.GoTo("The dungeon");
@@ -39,6 +40,7 @@ public sealed class DrawingTests(Browser browser)
     [Behaviour("workbench.page.doorway-reads-as-an-opening", "design.md, Who uses it")]
     public async Task An_open_doorway_is_darker_than_the_wall_around_it()
     {
+        Browser.SkipUnlessAllAreWanted();
         await using Tab tab = await browser.OpenAsync("?off=panels&at=At%20a%20house's%20door");
         await tab.Until("window.surefoot.shapes > 0", "the house is drawn");
         Pixel[] picture = await Picture(tab);
@@ -53,6 +55,7 @@ public sealed class DrawingTests(Browser browser)
     [InlineData("The hall of pillars")]
     public async Task Floors_and_walls_have_patterns_by_which_a_room_is_read(string place)
     {
+        Browser.SkipUnlessAllAreWanted();
         await using Tab tab = await browser.OpenAsync($"?off=panels&at={Uri.EscapeDataString(place)}");
         await tab.Until("window.surefoot.shapes > 0", "the room is drawn");
         JsonElement rows = await tab.Read("window.surefoot.picture(480, 270).map((row) => row.map(([red, green, blue]) => red + green + blue))");
@@ -66,6 +69,7 @@ public sealed class DrawingTests(Browser browser)
     [Behaviour("workbench.page.slope-is-seen-from-its-side", "design.md, Who uses it: slopes")]
     public async Task A_slope_is_looked_at_from_its_side_at_first_and_other_places_from_behind()
     {
+        Browser.SkipUnlessAllAreWanted();
         await using Tab tab = await browser.OpenAsync("?off=panels");
         double zoom = await tab.Number("window.surefoot.camera.zoom");
         await tab.GoTo("A slope of 45 degrees");

@@ -52,6 +52,11 @@ public sealed class Browser : IAsyncLifetime
         if (server is not null) await server.DisposeAsync();
     }
 
+    /// <summary>Says that a test is skipped unless all tests in the browser are asked for: drawn in software they take minutes.</summary>
+    internal static void SkipUnlessAllAreWanted() => Assert.SkipUnless(
+        Environment.GetEnvironmentVariable("SUREFOOT_BROWSER") == "all",
+        "Drawn in software it takes long; SUREFOOT_BROWSER=all runs it.");
+
     /// <summary>Another browser of the same kind.</summary>
     /// <param name="more">More of its arguments.</param>
     internal async Task<IBrowser> LaunchAsync(params string[] more)
