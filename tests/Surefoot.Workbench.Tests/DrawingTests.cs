@@ -10,11 +10,24 @@ public sealed class DrawingTests(Browser browser)
 {
     private const int Width = 96, Height = 54;
 
+    private const string Renderer =
+        "(() => { const gl = document.createElement('canvas').getContext('webgl2');" +
+        " return gl.getParameter(gl.getExtension('WEBGL_debug_renderer_info').UNMASKED_RENDERER_WEBGL).match('SwiftShader')[0]; })()";
+
+    [Fact]
+    [Behaviour("workbench.page.drawn-in-software-begins-plain", "design.md, Who uses it")]
+    public async Task Where_the_processor_draws_the_page_begins_without_what_costs_most()
+    {
+        await using Tab tab = await browser.OpenAsync(options: new() { DeviceScaleFactor = 1 });
+        Assert.Equal("SwiftShader", (await tab.Read(Renderer)).GetString());
+        Assert.True((await tab.Read("document.body.classList.contains('plain')")).GetBoolean(), "no frosted glass");
+        Assert.Equal((Browser.Width / 2) + 0.0, await tab.Number("document.getElementById('view').width"));
+    }
+
     [Fact]
     [Behaviour("workbench.page.dungeon-shows-no-land", "design.md, Who uses it")]
     public async Task In_the_dungeon_neither_sky_nor_sea_nor_sun_is_seen_and_outside_they_are()
     {
-        Browser.SkipUnlessAllAreWanted();
         await using Tab tab = await browser.OpenAsync("?off=panels");
         Assert.True((await Picture(tab)).Count(IsBlue) > 200, "the sky over the meadow is blue");
         await tab.GoTo("The dungeon");
@@ -40,7 +53,6 @@ public sealed class DrawingTests(Browser browser)
     [Behaviour("workbench.page.doorway-reads-as-an-opening", "design.md, Who uses it")]
     public async Task An_open_doorway_is_darker_than_the_wall_around_it()
     {
-        Browser.SkipUnlessAllAreWanted();
         await using Tab tab = await browser.OpenAsync("?off=panels&at=At%20a%20house's%20door");
         await tab.Until("window.surefoot.shapes > 0", "the house is drawn");
         Pixel[] picture = await Picture(tab);
@@ -55,7 +67,6 @@ public sealed class DrawingTests(Browser browser)
     [InlineData("The hall of pillars")]
     public async Task Floors_and_walls_have_patterns_by_which_a_room_is_read(string place)
     {
-        Browser.SkipUnlessAllAreWanted();
         await using Tab tab = await browser.OpenAsync($"?off=panels&at={Uri.EscapeDataString(place)}");
         await tab.Until("window.surefoot.shapes > 0", "the room is drawn");
         JsonElement rows = await tab.Read("window.surefoot.picture(480, 270).map((row) => row.map(([red, green, blue]) => red + green + blue))");
@@ -69,7 +80,6 @@ public sealed class DrawingTests(Browser browser)
     [Behaviour("workbench.page.slope-is-seen-from-its-side", "design.md, Who uses it: slopes")]
     public async Task A_slope_is_looked_at_from_its_side_at_first_and_other_places_from_behind()
     {
-        Browser.SkipUnlessAllAreWanted();
         await using Tab tab = await browser.OpenAsync("?off=panels");
         double zoom = await tab.Number("window.surefoot.camera.zoom");
         await tab.GoTo("A slope of 45 degrees");

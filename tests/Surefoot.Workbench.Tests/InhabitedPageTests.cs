@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Numerics;
+using Microsoft.Playwright;
 using Surefoot.Workbench.Simulation;
 using Surefoot.Workbench.Tests.Support;
 
@@ -89,7 +90,7 @@ public sealed class InhabitedPageTests(Browser browser)
     [Behaviour("workbench.browser.cutaway-behind-a-house", "design.md, Who uses it")]
     public async Task Behind_a_house_the_player_is_seen_through_it()
     {
-        await using Tab tab = await browser.OpenAsync();
+        await using Tab tab = await browser.OpenAsync(options: new BrowserNewPageOptions { DeviceScaleFactor = 0.5f });
         await tab.GoTo("At a house's door");
         // Half a turn at 0.0055 radians a pixel, in two pulls: the camera comes to be in the house, then beyond it.
         for (int pull = 0; pull < 2; pull++)

@@ -13,7 +13,6 @@ public sealed class KeyboardAloneTests(Browser browser)
     [Behaviour("workbench.page.focused-control-keeps-its-keys", "design.md, Who uses it")]
     public async Task A_focused_slider_takes_the_arrows_and_the_player_stands_until_the_game_has_the_keyboard_again()
     {
-        Browser.SkipUnlessAllAreWanted();
         await using Tab tab = await browser.OpenAsync();
         IPage page = tab.Page;
         double yaw = await tab.Number("window.surefoot.pose.yaw");
@@ -50,7 +49,6 @@ public sealed class KeyboardAloneTests(Browser browser)
     [Behaviour("workbench.page.button-keeps-the-focus", "design.md, Who uses it")]
     public async Task Space_presses_a_focused_button_which_keeps_the_focus_and_a_click_on_the_world_plays_on()
     {
-        Browser.SkipUnlessAllAreWanted();
         await using Tab tab = await browser.OpenAsync();
         IPage page = tab.Page;
         await TabTo(page, "toggle-shapes");
@@ -73,7 +71,6 @@ public sealed class KeyboardAloneTests(Browser browser)
     [Behaviour("workbench.page.keys-are-let-go-when-a-control-takes-the-keyboard", "design.md, Who uses it")]
     public async Task A_key_that_is_down_when_a_control_takes_the_keyboard_counts_as_let_go()
     {
-        Browser.SkipUnlessAllAreWanted();
         await using Tab tab = await browser.OpenAsync();
         await tab.Page.Keyboard.DownAsync("w");
         await tab.Until("window.surefoot.pose.speed > 3", "the player runs");
@@ -86,7 +83,6 @@ public sealed class KeyboardAloneTests(Browser browser)
     [Behaviour("workbench.page.every-control-by-keyboard", "design.md, Who uses it")]
     public async Task Tab_reaches_every_control_each_with_a_name_a_role_and_a_focus_that_shows()
     {
-        Browser.SkipUnlessAllAreWanted();
         await using Tab tab = await browser.OpenAsync("?run=-1");
         IPage page = tab.Page;
         await tab.Until("window.surefoot.notice !== ''", "the page shows a line that can be put away");
@@ -130,7 +126,6 @@ public sealed class KeyboardAloneTests(Browser browser)
     [Behaviour("workbench.page.help-takes-and-gives-back-the-keyboard", "design.md, Who uses it")]
     public async Task The_help_takes_the_keyboard_and_gives_it_back_where_it_was()
     {
-        Browser.SkipUnlessAllAreWanted();
         await using Tab tab = await browser.OpenAsync();
         IPage page = tab.Page;
         await page.Keyboard.PressAsync("h");
@@ -151,7 +146,6 @@ public sealed class KeyboardAloneTests(Browser browser)
     [Behaviour("workbench.page.text-contrast", "WCAG 2.2, 1.4.3: at least 4.5 to 1")]
     public async Task All_text_stands_out_from_its_ground_over_any_picture()
     {
-        Browser.SkipUnlessAllAreWanted();
         await using Tab tab = await browser.OpenAsync("?run=-1&on=triangles");
         IPage page = tab.Page;
         await tab.Until("window.surefoot.notice !== ''", "the page shows a line that can be put away");
@@ -186,7 +180,6 @@ public sealed class KeyboardAloneTests(Browser browser)
     [Behaviour("workbench.page.reduced-motion", "CSS Media Queries 5, 12.1")]
     public async Task Who_asks_for_less_motion_gets_no_sway_no_glide_and_no_animation()
     {
-        Browser.SkipUnlessAllAreWanted();
         await using Tab moving = await browser.OpenAsync();
         Assert.True(await moving.Number("window.surefoot.breeze") > 0);
         await using Tab calm = await browser.OpenAsync(options: new BrowserNewPageOptions { ReducedMotion = ReducedMotion.Reduce });

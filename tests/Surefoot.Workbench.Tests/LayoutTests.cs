@@ -30,7 +30,6 @@ public sealed class LayoutTests(Browser browser)
     [MemberData(nameof(Windows))]
     public async Task Nothing_is_cut_or_hidden_in_any_window(string window, int width, int height, float scale, bool touch)
     {
-        Browser.SkipUnlessAllAreWanted();
         await using Tab tab = await browser.OpenAsync(
             "?run=-1&on=triangles",
             new BrowserNewPageOptions { ViewportSize = new() { Width = width, Height = height }, DeviceScaleFactor = scale, HasTouch = touch, IsMobile = touch });
@@ -69,7 +68,6 @@ public sealed class LayoutTests(Browser browser)
     [Behaviour("workbench.page.touch-plays", "design.md, Who uses it")]
     public async Task Fingers_move_walk_jump_and_look()
     {
-        Browser.SkipUnlessAllAreWanted();
         await using Tab tab = await browser.OpenAsync(
             options: new BrowserNewPageOptions { ViewportSize = new() { Width = 640, Height = 360 }, HasTouch = true, IsMobile = true });
         LocatorBoundingBoxResult pad = (await tab.Page.Locator("#pad").BoundingBoxAsync())!, jump = (await tab.Page.Locator("#jump").BoundingBoxAsync())!;

@@ -130,6 +130,7 @@ public sealed class LinkTests(Browser browser)
 
     private static async Task AssertAsLinked(Tab tab)
     {
+        Assert.Contains("at=0xA9B5001D", tab.Page.Url, StringComparison.Ordinal);
         Assert.Equal(0xA9B5001D, await tab.Number("window.surefoot.pose.cell"));
         Assert.InRange(await tab.Number("Math.hypot(window.surefoot.pose.position.x - 84.5, window.surefoot.pose.position.y - 97.25)"), 0, 0.01);
         Assert.Equal(90, await tab.Number("-window.surefoot.pose.yaw * 180 / Math.PI"), 0.001);

@@ -52,11 +52,6 @@ public sealed class Browser : IAsyncLifetime
         if (server is not null) await server.DisposeAsync();
     }
 
-    /// <summary>Says that a test is skipped unless all tests in the browser are asked for: drawn in software they take minutes.</summary>
-    internal static void SkipUnlessAllAreWanted() => Assert.SkipUnless(
-        Environment.GetEnvironmentVariable("SUREFOOT_BROWSER") == "all",
-        "Drawn in software it takes long; SUREFOOT_BROWSER=all runs it.");
-
     /// <summary>Another browser of the same kind.</summary>
     /// <param name="more">More of its arguments.</param>
     internal async Task<IBrowser> LaunchAsync(params string[] more)
@@ -80,7 +75,8 @@ public sealed class Browser : IAsyncLifetime
         SkipWithout(browser);
         options ??= new BrowserNewPageOptions();
         options.ViewportSize ??= new ViewportSize { Width = Width, Height = Height };
-        options.DeviceScaleFactor ??= 0.5f;
+        // Few pixels: what is asked is what is drawn where, and the processor draws it.
+        options.DeviceScaleFactor ??= 0.25f;
         IPage page = await browser!.NewPageAsync(options);
         Tab tab = new(page);
         await page.GotoAsync(played!.Address.AbsoluteUri + query);

@@ -36,7 +36,7 @@ export function play(): void {
   const hud = new Hud({
     settings: (settings) => {
       entrance.chose(settings);
-      address.touch();
+      showAddress();
     },
     toggle,
     go: (destination) => {
@@ -99,6 +99,11 @@ export function play(): void {
     if (frame.kind !== "pose") return;
     entrance.pose(frame);
     leftOut.enter(frame.cell);
+    showAddress();
+  }
+
+  /** Until the player is where the link wants it, the link stays: who reloads meanwhile comes there all the same. */
+  function showAddress(): void {
     if (!entrance.entering) address.touch();
   }
 
@@ -146,6 +151,6 @@ export function play(): void {
         requests.mouseTurning(on);
         break;
     }
-    address.touch();
+    showAddress();
   }
 }

@@ -6,8 +6,12 @@ import { FollowCamera } from "./camera";
 import { Grass } from "./grass";
 import { makeNoiseTexture } from "./noise";
 import { Lights, Sky } from "./sky";
+import { drawsInSoftware } from "./webgl";
 
 const slowFrame = 1 / 40;
+
+/** Pixels drawn for one of the page's, in each direction. */
+const leastRatio = 0.5;
 
 export class Stage {
   readonly scene = new THREE.Scene();
@@ -24,7 +28,8 @@ export class Stage {
   private dark = 0;
 
   constructor(canvas: HTMLCanvasElement) {
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: devicePixelRatio < 2, powerPreference: "high-performance" });
+    const software = drawsInSoftware();
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !software && devicePixelRatio < 2, powerPreference: "high-performance" });
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = THREE.PCFShadowMap;
     this.renderer.toneMapping = THREE.NoToneMapping;
@@ -32,6 +37,10 @@ export class Stage {
     this.scene.fog = this.sky.fog;
     this.scene.add(this.sky.mesh, this.lights.group, this.grass.mesh);
     addEventListener("resize", () => this.resize());
+    if (software) {
+      this.noise.anisotropy = 1;
+      while (this.giveUp());
+    }
     this.resize();
   }
 
@@ -103,22 +112,23 @@ export class Stage {
     return pixels;
   }
 
-  /** A machine that cannot draw 40 frames a second gives up frosted glass, then grass, sharpness and shadows: motion comes first. */
+  /** A machine that cannot draw 40 frames a second gives up one thing after the other: motion comes first. */
   private adapt(dt: number): void {
     if (dt === 0 || dt > 0.5) return;
     this.average += (dt - this.average) * 0.05;
     if (++this.settled < 60 || this.average < slowFrame) return;
     this.settled = 0;
-    if (!document.body.classList.contains("plain")) {
-      document.body.classList.add("plain");
-    } else if (this.grassAffordable) {
-      this.grassAffordable = false;
-    } else if (this.ratio > 0.5) {
-      this.ratio = Math.max(0.5, this.ratio * 0.7);
-      this.resize();
-    } else if (this.lights.sun.castShadow) {
-      this.lights.sun.castShadow = false;
-    }
+    if (this.giveUp()) this.resize();
+  }
+
+  /** Frosted glass, then grass, sharpness and shadows; false when nothing is left to give up. */
+  private giveUp(): boolean {
+    if (!document.body.classList.contains("plain")) document.body.classList.add("plain");
+    else if (this.grassAffordable) this.grassAffordable = false;
+    else if (this.ratio > leastRatio) this.ratio = Math.max(leastRatio, this.ratio * 0.7);
+    else if (this.lights.sun.castShadow) this.lights.sun.castShadow = false;
+    else return false;
+    return true;
   }
 
   private resize(): void {
