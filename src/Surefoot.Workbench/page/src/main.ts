@@ -3,7 +3,8 @@
 import "./hud/style/index.css";
 import { explainNoWebGL } from "./hud/noWebGL";
 import { play } from "./play";
-import { hasWebGL } from "./scene/webgl";
+import { findDrawing } from "./scene/webgl";
 
-if (hasWebGL()) play();
+const drawing = findDrawing();
+if (drawing) play(drawing);
 else explainNoWebGL();

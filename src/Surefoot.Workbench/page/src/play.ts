@@ -18,12 +18,13 @@ import { Requests } from "./net/requests";
 import { Session } from "./net/session";
 import { formatSpot } from "./net/spot";
 import { PoseFlag, type ServerFrame } from "./net/wire";
+import type { Drawing } from "./scene/webgl";
 import { WorldView } from "./things/worldView";
 
-export function play(): void {
+export function play(by: Drawing): void {
   const session = new Session();
   const surface = element<HTMLCanvasElement>("view");
-  const world = new WorldView(surface);
+  const world = new WorldView(surface, by);
   const drawing: Frames = { count: 0, drawnAt: 0 };
   const listing = fetchPlaces();
 

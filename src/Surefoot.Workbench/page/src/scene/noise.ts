@@ -26,14 +26,7 @@ export function makeNoiseTexture(): THREE.DataTexture {
 function fractal(seed: number): Float32Array {
   const sum = new Float32Array(size * size);
   const random = generator(seed);
-  for (let octave = 0; octave < octaves; octave++) {
-    const cells = coarsest << octave;
-    const lattice = Float32Array.from({ length: cells * cells }, random);
-    const weight = 0.5 ** octave;
-    for (let y = 0; y < size; y++) {
-      for (let x = 0; x < size; x++) sum[y * size + x] += weight * sample(lattice, cells, (x * cells) / size, (y * cells) / size);
-    }
-  }
+  for (let octave = 0; octave < octaves; octave++) addOctave(sum, coarsest << octave, 0.5 ** octave, random);
   let low = Infinity;
   let high = -Infinity;
   for (const value of sum) {
@@ -43,15 +36,21 @@ function fractal(seed: number): Float32Array {
   return sum.map((value) => (value - low) / (high - low));
 }
 
-function sample(lattice: Float32Array, cells: number, x: number, y: number): number {
-  const i = Math.floor(x);
-  const j = Math.floor(y);
-  const u = ease(x - i);
-  const v = ease(y - j);
-  const at = (a: number, b: number): number => lattice[(b % cells) * cells + (a % cells)];
-  const bottom = at(i, j) + (at(i + 1, j) - at(i, j)) * u;
-  const top = at(i, j + 1) + (at(i + 1, j + 1) - at(i, j + 1)) * u;
-  return bottom + (top - bottom) * v;
+/** Random values on a lattice of so many cells, eased in between. Where a pixel lies between them is the same for every row and column. */
+function addOctave(sum: Float32Array, cells: number, weight: number, random: () => number): void {
+  const lattice = Float32Array.from({ length: cells * cells }, random);
+  const before = Int32Array.from({ length: size }, (_, at) => Math.floor((at * cells) / size));
+  const after = before.map((cell) => (cell + 1) % cells);
+  const share = Float64Array.from({ length: size }, (_, at) => ease((at * cells) / size - before[at]));
+  for (let y = 0; y < size; y++) {
+    const low = before[y] * cells;
+    const high = after[y] * cells;
+    for (let x = 0; x < size; x++) {
+      const bottom = lattice[low + before[x]] + (lattice[low + after[x]] - lattice[low + before[x]]) * share[x];
+      const top = lattice[high + before[x]] + (lattice[high + after[x]] - lattice[high + before[x]]) * share[x];
+      sum[y * size + x] += weight * (bottom + (top - bottom) * share[y]);
+    }
+  }
 }
 
 function ease(t: number): number {

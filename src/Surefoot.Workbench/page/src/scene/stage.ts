@@ -6,7 +6,7 @@ import { FollowCamera } from "./camera";
 import { Grass } from "./grass";
 import { makeNoiseTexture } from "./noise";
 import { Lights, Sky } from "./sky";
-import { drawsInSoftware } from "./webgl";
+import type { Drawing } from "./webgl";
 
 const slowFrame = 1 / 40;
 
@@ -27,8 +27,7 @@ export class Stage {
   private grassAffordable = true;
   private dark = 0;
 
-  constructor(canvas: HTMLCanvasElement) {
-    const software = drawsInSoftware();
+  constructor(canvas: HTMLCanvasElement, { software }: Drawing) {
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !software && devicePixelRatio < 2, powerPreference: "high-performance" });
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = THREE.PCFShadowMap;

@@ -1,25 +1,21 @@
 // Can this browser draw, and with what?
 
-export function hasWebGL(): boolean {
-  return ask(() => true) ?? false;
+/** What draws. */
+export interface Drawing {
+  /** The processor draws, not a graphics card: in virtual machines, on remote desktops, where a driver is blocked. */
+  software: boolean;
 }
 
-/** The processor draws, not a graphics card: in virtual machines, on remote desktops, where a driver is blocked. */
-export function drawsInSoftware(): boolean {
-  const name = ask((gl) => {
-    const named = gl.getExtension("WEBGL_debug_renderer_info");
-    return String(gl.getParameter(named ? named.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
-  });
-  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name ?? "");
-}
-
-function ask<T>(question: (gl: WebGL2RenderingContext) => T): T | null {
+/** Null without WebGL. */
+export function findDrawing(): Drawing | null {
   try {
     const gl = document.createElement("canvas").getContext("webgl2");
-    const answer = gl && question(gl);
+    if (!gl) return null;
+    const named = gl.getExtension("WEBGL_debug_renderer_info");
+    const name = String(gl.getParameter(named ? named.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
     // Browsers allow few at a time: this one is given back.
-    gl?.getExtension("WEBGL_lose_context")?.loseContext();
-    return answer;
+    gl.getExtension("WEBGL_lose_context")?.loseContext();
+    return { software: /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name) };
   } catch {
     return null;
   }

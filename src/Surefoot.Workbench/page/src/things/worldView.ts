@@ -9,6 +9,7 @@ import { type Box, Cutaway } from "../scene/cutaway";
 import { horizonColor, sunDirection, zenithColor } from "../scene/sky";
 import { Stage } from "../scene/stage";
 import { Terrain } from "../scene/terrain";
+import type { Drawing } from "../scene/webgl";
 import { Bodies } from "./bodies";
 import { Objects } from "./objects";
 import { Players } from "./players";
@@ -31,8 +32,8 @@ export class WorldView {
   /** No land is seen from where the player is. */
   private enclosed = false;
 
-  constructor(canvas: HTMLCanvasElement) {
-    this.stage = new Stage(canvas);
+  constructor(canvas: HTMLCanvasElement, by: Drawing) {
+    this.stage = new Stage(canvas, by);
     this.terrain = new Terrain(this.stage.noise, sunDirection, horizonColor, zenithColor, this.cutaway);
     this.objects = new Objects(this.cutaway);
     this.stage.scene.add(this.terrain.group, this.objects.group, this.bodies.group, this.players.group);
