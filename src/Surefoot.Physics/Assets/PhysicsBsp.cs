@@ -78,9 +78,6 @@ internal struct PolygonContact
 {
     private int indexPlusOne;
 
-    /// <summary>No polygon.</summary>
-    public static PolygonContact None => default;
-
     /// <summary>Index of the polygon in the tree's set, −1 for none.</summary>
     public int Polygon
     {

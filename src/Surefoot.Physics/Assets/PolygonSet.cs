@@ -9,15 +9,13 @@ public sealed class PolygonSet
     private readonly Plane[] planes;
     private readonly int[] firstCorner;
     private readonly Vector3[] corners;
-    private readonly byte[]? sides;
 
     /// <summary>Polygon i has the corners <c>firstCorner[i] .. firstCorner[i + 1]</c>.</summary>
-    internal PolygonSet(Plane[] planes, int[] firstCorner, Vector3[] corners, byte[]? sides = null)
+    internal PolygonSet(Plane[] planes, int[] firstCorner, Vector3[] corners)
     {
         this.planes = planes;
         this.firstCorner = firstCorner;
         this.corners = corners;
-        this.sides = sides;
     }
 
     /// <summary>A set without polygons.</summary>
@@ -35,11 +33,6 @@ public sealed class PolygonSet
     /// <summary>Corners of a polygon, in order, metres.</summary>
     public ReadOnlySpan<Vector3> CornersOf(int polygon) => corners.AsSpan(firstCorner[polygon], firstCorner[polygon + 1] - firstCorner[polygon]);
 
-    /// <summary>
-    /// Which sides are drawn: 0 the front, 1 both alike, 2 both with surfaces of their own. Only rays care; a moving sphere meets either side.
-    /// </summary>
-    internal int SidesOf(int polygon) => sides is null ? 0 : sides[polygon];
-
     /// <summary>A polygon, to be asked questions of.</summary>
     internal ConvexPolygon this[int polygon] => new(planes[polygon], CornersOf(polygon));
 
@@ -47,7 +40,7 @@ public sealed class PolygonSet
     internal static PolygonSet FromCorners(params ReadOnlySpan<Vector3[]> polygons)
     {
         PolygonSetBuilder builder = new(polygons.Length);
-        foreach (Vector3[] polygon in polygons) builder.Add(polygon, 0);
+        foreach (Vector3[] polygon in polygons) builder.Add(polygon);
         return builder.Build();
     }
 }
@@ -58,21 +51,15 @@ internal sealed class PolygonSetBuilder(int expected)
     private readonly List<Plane> planes = new(expected);
     private readonly List<int> firstCorner = [0];
     private readonly List<Vector3> corners = new(expected * 4);
-    private readonly List<byte> sides = new(expected);
 
-    public void Add(ReadOnlySpan<Vector3> polygon, int polygonSides)
+    public void Add(ReadOnlySpan<Vector3> polygon)
     {
         planes.Add(ConvexPolygon.MakePlane(polygon));
         corners.AddRange(polygon);
         firstCorner.Add(corners.Count);
-        sides.Add((byte)polygonSides);
     }
 
-    public PolygonSet Build()
-    {
-        if (planes.Count == 0) return PolygonSet.Empty;
-        return new PolygonSet([.. planes], [.. firstCorner], [.. corners], sides.TrueForAll(s => s == 0) ? null : [.. sides]);
-    }
+    public PolygonSet Build() => planes.Count == 0 ? PolygonSet.Empty : new PolygonSet([.. planes], [.. firstCorner], [.. corners]);
 }
 
 /// <summary>One polygon of a set; the default value is no polygon.</summary>

@@ -41,7 +41,7 @@ internal readonly struct RecordFlattener(DatRecord record)
                 corners[k] = vertices[indices[k]];
             }
 
-            builder.Add(corners[..indices.Length], Math.Clamp(source[i].Sides, 0, byte.MaxValue));
+            builder.Add(corners[..indices.Length]);
         }
 
         return builder.Build();

@@ -107,15 +107,6 @@ public struct Frame : IEquatable<Frame>
         }
     }
 
-    /// <summary>Takes the orientation of <paramref name="other"/>, matrix included.</summary>
-    internal void CopyRotation(in Frame other)
-    {
-        rotation = other.rotation;
-        XAxis = other.XAxis;
-        YAxis = other.YAxis;
-        ZAxis = other.ZAxis;
-    }
-
     /// <summary>
     /// This frame carried by <paramref name="outer"/>: the origin goes through the outer frame, the orientations multiply and the product is made
     /// a unit quaternion again.

@@ -139,11 +139,6 @@ internal sealed partial class MoveToManager
             if (info.Status != TargetStatus.OK) Cancel(MotionError.TargetGone);
             else if (Kind == MovementKind.MoveToObject) FollowTarget(info);
         }
-        else if (topLevelId == body.Id)
-        {
-            sought = currentTarget = body.Position;
-            Finish();
-        }
         else if (info.Status != TargetStatus.OK)
         {
             Cancel(MotionError.NoTarget);

@@ -78,15 +78,6 @@ internal sealed class SpherePath
     internal bool BuildingCheck;
     internal bool PlacementAllowsSliding;
 
-    /// <summary>Last accepted position: the result.</summary>
-    public Position Current => CurrPos;
-
-    /// <summary>Cell of the last accepted position; null when it is not loaded.</summary>
-    public ObjCell? CurrentCell => CurrCell;
-
-    /// <summary>Position under test.</summary>
-    public Position Check => CheckPos;
-
     /// <summary>Spheres at the position under test, in the block frame of its cell.</summary>
     public ReadOnlySpan<Sphere> CheckSpheres => GlobalSpheres.AsSpan(0, SphereCount);
 

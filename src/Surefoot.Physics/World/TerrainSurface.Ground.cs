@@ -58,10 +58,6 @@ public sealed partial class TerrainSurface
         _ => IsWaterType(TypeOf(words[NearestCorner(cell, point)])) ? WaterDepthAtCorner : ShoreDepth,
     };
 
-    /// <summary>Terrain type, 0 to 31, of the corner of a cell that a point belongs to.</summary>
-    /// <remarks>Retail: CLandBlock::get_terrain @0x0052FB70.</remarks>
-    internal int TerrainTypeAt(int cell, in Vector3 point) => TypeOf(words[NearestCorner(cell, point)]);
-
     /// <summary>Is a point of the block on a road? Roads keep scenery away and nothing else.</summary>
     /// <remarks>Retail: CLandBlock::on_road @0x0052FFF0.</remarks>
     internal bool IsOnRoad(in Vector3 point)

@@ -73,11 +73,6 @@ public sealed partial class TerrainSurface
     /// <summary>Is this cell of the block cut from south-west to north-east?</summary>
     public bool IsCutSouthWestToNorthEast(int cell) => ((southWestToNorthEast >> cell) & 1) != 0;
 
-    /// <summary>Height of a vertex, metres.</summary>
-    /// <param name="column">0 to 8 from the west.</param>
-    /// <param name="row">0 to 8 from the south.</param>
-    public float VertexHeight(int column, int row) => heights[(VerticesPerSide * column) + row];
-
     /// <summary>Plane of a triangle, its normal upwards.</summary>
     public ref readonly Plane PlaneOf(int triangle) => ref planes[triangle];
 

@@ -199,6 +199,17 @@ public sealed class TerrainTests
     [InlineData("1000", 2, 3, false)]
     [InlineData("0001", 21.6f, 21.5f, true)]
     [InlineData("1110", 10, 10, false)]
+    [InlineData("1011", 12, 4.99f, true)]
+    [InlineData("1011", 19.5f, 12, true)]
+    [InlineData("1011", 4, 12, false)]
+    [InlineData("1101", 4, 12, true)]
+    [InlineData("1101", 12, 4, false)]
+    [InlineData("0111", 12, 19.5f, true)]
+    [InlineData("0111", 12, 4, false)]
+    [InlineData("0100", 2, 22, true)]
+    [InlineData("0100", 22, 2, false)]
+    [InlineData("0010", 22, 2, true)]
+    [InlineData("0010", 2, 22, false)]
     [InlineData("1111", 12, 12, true)]
     public void Roads_are_five_metres_on_each_side(string corners, float x, float y, bool road)
     {

@@ -16,7 +16,7 @@ internal readonly record struct PendingMotion(uint ContextId, MotionCommand Moti
 internal sealed partial class MotionInterpreter
 {
     private readonly RingQueue<PendingMotion> pending = new();
-    private IMotionBody? body;
+    private readonly IMotionBody? body;
     private IWeenieObj? weenie;
 
     /// <summary>An interpreter for a body with these animations.</summary>
@@ -33,9 +33,6 @@ internal sealed partial class MotionInterpreter
 
     /// <summary>The animations, or null.</summary>
     public MotionTableManager? Animation { get; }
-
-    /// <summary>The body, or null.</summary>
-    public IMotionBody? Body => body;
 
     /// <summary>What the game knows of the body, or null.</summary>
     public IWeenieObj? Weenie => weenie;
@@ -85,14 +82,6 @@ internal sealed partial class MotionInterpreter
     public void SetWeenieObject(IWeenieObj? value)
     {
         weenie = value;
-        if (body is not null && IsInitialised) ApplyCurrentMovement(cancelMoveTo: true, disallowJump: false);
-    }
-
-    /// <summary>Takes another body and makes it act.</summary>
-    /// <remarks>Retail: CMotionInterp::SetPhysicsObject @0x00528970.</remarks>
-    public void SetPhysicsObject(IMotionBody? value)
-    {
-        body = value;
         if (body is not null && IsInitialised) ApplyCurrentMovement(cancelMoveTo: true, disallowJump: false);
     }
 

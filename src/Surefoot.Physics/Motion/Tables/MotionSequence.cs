@@ -224,20 +224,11 @@ internal sealed class MotionSequence
 
     /// <summary>Leaves the current animation for the next one, or for the beginning of the cycle.</summary>
     /// <remarks>Retail: CSequence::advance_to_next_animation. The first frame of the animation entered is handed out at once.</remarks>
-    private void Advance(double sign, ref Frame frame)
+    private void Advance(double quantum, ref Frame frame)
     {
-        if (sign >= 0)
-        {
-            if (nodes[current].Framerate < 0) PassBackward(nodes[current], (int)FrameNumber, sign, ref frame);
-            Enter(current + 1 < Count ? current + 1 : firstCyclic, atEnd: false);
-            if (nodes[current].Framerate > 0) PassForward(nodes[current], (int)FrameNumber, sign, ref frame);
-        }
-        else
-        {
-            if (nodes[current].Framerate >= 0) PassBackward(nodes[current], (int)FrameNumber, sign, ref frame);
-            Enter(current > 0 ? current - 1 : Count - 1, atEnd: true);
-            if (nodes[current].Framerate < 0) PassForward(nodes[current], (int)FrameNumber, sign, ref frame);
-        }
+        if (nodes[current].Framerate < 0) PassBackward(nodes[current], (int)FrameNumber, quantum, ref frame);
+        Enter(current + 1 < Count ? current + 1 : firstCyclic, atEnd: false);
+        if (nodes[current].Framerate > 0) PassForward(nodes[current], (int)FrameNumber, quantum, ref frame);
     }
 
     private void PassForward(in Node node, int index, double sign, ref Frame frame)
