@@ -6,15 +6,14 @@ using Surefoot.Scenes;
 namespace Surefoot.Bench;
 
 /// <summary>
-/// Runs benchmarks: <c>dotnet run -c Release --project bench/Surefoot.Bench -- --filter '*'</c>. With <c>hashes</c> alone it prints the state hash of each scene,
-/// with <c>threads</c> alone how two threads do that sweep in one world.
+/// Runs benchmarks: <c>dotnet run -c Release --project bench/Surefoot.Bench -- --filter '*'</c>. With <c>hashes</c> alone it prints the
+/// state hash of each scene.
 /// </summary>
 internal static class Program
 {
     private static void Main(string[] args)
     {
         if (args is ["hashes"]) PrintHashes();
-        else if (args is ["threads"]) TwoThreads.Print();
         else BenchmarkSwitcher.FromAssembly(typeof(Program).Assembly).Run(args);
     }
 

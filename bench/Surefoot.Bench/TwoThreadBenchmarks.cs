@@ -1,0 +1,125 @@
+using System.Globalization;
+using BenchmarkDotNet.Attributes;
+using BenchmarkDotNet.Columns;
+using BenchmarkDotNet.Configs;
+using BenchmarkDotNet.Reports;
+using BenchmarkDotNet.Running;
+using Surefoot.Dats;
+using Surefoot.DemoWorld;
+using Surefoot.Scenes;
+
+namespace Surefoot.Bench;
+
+/// <summary>
+/// Two threads that sweep in the same block of one world, against each alone. A turn is three windows of two milliseconds: one thread
+/// alone, the other alone, both at once. The columns have what counts, the rates: of each kind the best window of all turns, so that what
+/// else the machine does counts for little, and of the turns one by one the median ratio.
+/// </summary>
+[InProcess]
+[WarmupCount(2)]
+[IterationCount(20)]
+[InvocationCount(200)]
+[SweepRates]
+public class TwoThreadBenchmarks
+{
+    private readonly SweepRates rates = new();
+    private DatSet dats = null!;
+    private SweepWorkers workers = null!;
+
+    /// <summary>Where they run side by side, 4 m apart: each is in the list of the cells that the other's sweeps test.</summary>
+    [Params("runway", "forest")]
+    public string Place { get; set; } = "";
+
+    /// <summary>Lets two players run, and starts the threads.</summary>
+    [GlobalSetup]
+    public void Setup()
+    {
+        dats = DatSet.Open(DemoWorldCache.GetOrCreate());
+        workers = new SweepWorkers(new ProbeRun(dats, Place, 2, 4f));
+        for (int i = 0; i < 200; i++) workers.Measure(0, 1);
+        SweepRates.Of[Place] = rates;
+    }
+
+    /// <summary>Ends the threads and closes the files.</summary>
+    [GlobalCleanup]
+    public void Cleanup()
+    {
+        workers.Dispose();
+        dats.Dispose();
+    }
+
+    /// <summary>One turn.</summary>
+    [Benchmark]
+    public void Turn() => rates.Add(workers.Measure(0), workers.Measure(1), workers.Measure(0, 1));
+}
+
+/// <summary>What the turns of one place measured, sweeps in a millisecond.</summary>
+internal sealed class SweepRates
+{
+    private readonly List<double> ratios = [];
+
+    /// <summary>Turns in which both threads had a core.</summary>
+    internal int Turns => ratios.Count;
+
+    /// <summary>By place. The benchmark runs in the process that prints the table.</summary>
+    internal static Dictionary<string, SweepRates> Of { get; } = [];
+
+    internal double One { get; private set; }
+
+    internal double Other { get; private set; }
+
+    internal double Both { get; private set; }
+
+    /// <summary>The middle one of the ratios of the turns.</summary>
+    internal double MedianRatio => ratios.Count == 0 ? double.NaN : ratios.Order().ElementAt(ratios.Count / 2);
+
+    internal void Add(double one, double other, double both)
+    {
+        if (double.IsNaN(both)) return;
+        One = Math.Max(One, one);
+        Other = Math.Max(Other, other);
+        Both = Math.Max(Both, both);
+        ratios.Add(both / (one + other));
+    }
+}
+
+/// <summary>Prints the rates.</summary>
+[AttributeUsage(AttributeTargets.Class)]
+internal sealed class SweepRatesAttribute : Attribute, IConfigSource
+{
+    /// <inheritdoc/>
+    public IConfig Config { get; } = ManualConfig.CreateEmpty().AddColumn(
+        new Column("One alone /ms", rates => rates.One, "0"), new Column("Other alone /ms", rates => rates.Other, "0"),
+        new Column("Both /ms", rates => rates.Both, "0"), new Column("Both / sum", rates => rates.Both / (rates.One + rates.Other), "0.00"),
+        new Column("Median of turns", rates => rates.MedianRatio, "0.00"), new Column("Turns", rates => rates.Turns, "0"));
+
+    private sealed class Column(string name, Func<SweepRates, double> value, string format) : IColumn
+    {
+        public string Id => name;
+
+        public string ColumnName => name;
+
+        public string Legend => "Sweeps, best of all windows; ratios of rates";
+
+        public bool AlwaysShow => true;
+
+        public ColumnCategory Category => ColumnCategory.Custom;
+
+        public int PriorityInCategory => 0;
+
+        public bool IsNumeric => true;
+
+        public UnitType UnitType => UnitType.Dimensionless;
+
+        public string GetValue(Summary summary, BenchmarkCase benchmarkCase) =>
+            SweepRates.Of.TryGetValue((string)benchmarkCase.Parameters[nameof(TwoThreadBenchmarks.Place)], out SweepRates? rates)
+                ? value(rates).ToString(format, CultureInfo.InvariantCulture)
+                : "-";
+
+        public string GetValue(Summary summary, BenchmarkCase benchmarkCase, SummaryStyle style) => GetValue(summary, benchmarkCase);
+
+        public bool IsAvailable(Summary summary) => true;
+
+        public bool IsDefault(Summary summary, BenchmarkCase benchmarkCase) => false;
+    }
+}
