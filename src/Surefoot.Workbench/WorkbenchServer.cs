@@ -77,7 +77,7 @@ public sealed class WorkbenchServer : IAsyncDisposable
         {
             string name = demo ? "Demo world" : Path.GetFileName(Path.TrimEndingDirectorySeparator(dats.Folder));
             world = new SimulatedWorld(name, dats, places, logger, demo ? DemoSpawns.All : []) { Notice = options.Notice };
-            return await StartAsync(world, options, cancellation).ConfigureAwait(false);
+            return await StartAsync(world, options, cancellation: cancellation).ConfigureAwait(false);
         }
         catch
         {
@@ -87,7 +87,8 @@ public sealed class WorkbenchServer : IAsyncDisposable
         }
     }
 
-    internal static async Task<WorkbenchServer> StartAsync(IWorkbenchWorld world, WorkbenchOptions options, CancellationToken cancellation = default)
+    internal static async Task<WorkbenchServer> StartAsync(
+        IWorkbenchWorld world, WorkbenchOptions options, TimeProvider? clock = null, CancellationToken cancellation = default)
     {
         ArgumentOutOfRangeException.ThrowIfNegative(options.Port);
         ArgumentOutOfRangeException.ThrowIfGreaterThan(options.Port, ushort.MaxValue);
@@ -95,7 +96,7 @@ public sealed class WorkbenchServer : IAsyncDisposable
         ArgumentOutOfRangeException.ThrowIfGreaterThan(options.MaxPlayers, 256);
         ILoggerFactory loggers = options.LoggerFactory ?? NullLoggerFactory.Instance;
         ServerCounters counters = new();
-        WorldLoop loop = new(world, counters, TimeProvider.System, loggers.CreateLogger<WorldLoop>(), options.MaxPlayers);
+        WorldLoop loop = new(world, counters, clock ?? TimeProvider.System, loggers.CreateLogger<WorldLoop>(), options.MaxPlayers);
         int last = options.Port == 0 ? 0 : Math.Min(options.Port + PortsToTry - 1, ushort.MaxValue);
         for (int port = options.Port; ; port++)
         {

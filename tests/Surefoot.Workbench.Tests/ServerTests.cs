@@ -1,4 +1,5 @@
 using System.Buffers.Binary;
+using System.IO.Compression;
 using System.Net;
 using System.Net.Sockets;
 using System.Net.WebSockets;
@@ -13,10 +14,12 @@ namespace Surefoot.Workbench.Tests;
 public sealed class ServerTests : IAsyncLifetime
 {
     private readonly StandInWorld world = new();
+    private readonly SkippingClock clock = new();
     private readonly HttpClient http = new();
     private WorkbenchServer server = null!;
 
-    public async ValueTask InitializeAsync() => server = await WorkbenchServer.StartAsync(world, new WorkbenchOptions { Port = 0, MaxPlayers = 4 });
+    public async ValueTask InitializeAsync() =>
+        server = await WorkbenchServer.StartAsync(world, new WorkbenchOptions { Port = 0, MaxPlayers = 4 }, clock: clock);
 
     public async ValueTask DisposeAsync()
     {
@@ -37,6 +40,64 @@ public sealed class ServerTests : IAsyncLifetime
         Assert.True(named.Length >= 3, $"script, style and icon are named in the page: {string.Join(", ", named)}");
         foreach (string path in named) Assert.Equal(HttpStatusCode.OK, (await http.GetAsync(new Uri(server.Address, path))).StatusCode);
         Assert.Equal(HttpStatusCode.NotFound, (await http.GetAsync(new Uri(server.Address, "/no-such-file"))).StatusCode);
+    }
+
+    [Theory]
+    [Behaviour("workbench.server.page-is-compressed", "RFC 9110, 8.4 and 12.5.3")]
+    [InlineData("gzip, deflate, br, zstd", "br")]
+    [InlineData("gzip, br;q=0", "gzip")]
+    [InlineData("gzip", "gzip")]
+    [InlineData("identity", null)]
+    [InlineData("", null)]
+    [InlineData("br;q=zero", null)]
+    public async Task Scripts_and_styles_go_over_the_wire_in_a_form_that_the_browser_takes(string accepts, string? encoding)
+    {
+        string html = await http.GetStringAsync(server.Address);
+        string[] named = [.. html.Split('"').Where(part => Path.GetExtension(part) is ".js" or ".css")];
+        Assert.Equal(2, named.Length);
+        foreach (string path in named)
+        {
+            byte[] plain = await http.GetByteArrayAsync(new Uri(server.Address, path));
+            using HttpRequestMessage ask = new(HttpMethod.Get, new Uri(server.Address, path));
+            ask.Headers.TryAddWithoutValidation("Accept-Encoding", accepts);
+            using HttpResponseMessage answer = await http.SendAsync(ask);
+            byte[] sent = await answer.Content.ReadAsByteArrayAsync();
+            Assert.Equal(encoding, answer.Content.Headers.ContentEncoding.SingleOrDefault());
+            Assert.Equal("Accept-Encoding", Assert.Single(answer.Headers.Vary));
+            Assert.Equal(plain, Unpacked(sent, encoding));
+            if (encoding is not null) Assert.True(sent.Length < plain.Length / 2, $"{path}: {sent.Length} of {plain.Length} bytes");
+
+            using HttpRequestMessage again = new(HttpMethod.Get, new Uri(server.Address, path));
+            again.Headers.TryAddWithoutValidation("Accept-Encoding", accepts);
+            again.Headers.IfNoneMatch.Add(answer.Headers.ETag!);
+            Assert.Equal(HttpStatusCode.NotModified, (await http.SendAsync(again)).StatusCode);
+        }
+    }
+
+    [Fact]
+    [Behaviour("workbench.server.sleeps-without-players", "design.md, Who uses it")]
+    public async Task Without_a_page_the_server_does_nothing_and_its_worlds_time_stands_still()
+    {
+        await Eventually.Holds(() => server.Loop.Rests == 1, "the loop sleeps before anyone came");
+        await Task.Delay(100);
+        Assert.Equal((0, 0), (server.Loop.Turns, world.Advances));
+        await using (RawPage page = await RawPage.OpenAsync(server))
+        {
+            await page.ReceiveAsync(FrameKind.Pose);
+            await page.CloseAsync();
+        }
+
+        await Eventually.Holds(() => server.Loop.Rests == 2, "the loop sleeps again");
+        (long turns, int advances, double rested) = (server.Loop.Turns, world.Advances, world.Now);
+        Assert.True(advances > 0, "the world went on while a page was there");
+        clock.Skip(TimeSpan.FromHours(1));
+        await Task.Delay(100);
+        Assert.Equal((turns, advances), (server.Loop.Turns, world.Advances));
+
+        await using RawPage next = await RawPage.OpenAsync(server);
+        await next.ReceiveAsync(FrameKind.Pose);
+        Assert.True(world.Advances > advances, "the world goes on");
+        Assert.InRange(world.FirstAfter(rested) - rested, 0, 1800);
     }
 
     [Fact]
@@ -236,6 +297,19 @@ public sealed class ServerTests : IAsyncLifetime
         Assert.NotEqual(WebSocketState.Open, page.State);
         Assert.True(world.Disposed);
         await Assert.ThrowsAsync<HttpRequestException>(() => http.GetAsync(server.Address));
+    }
+
+    private static byte[] Unpacked(byte[] bytes, string? encoding)
+    {
+        using MemoryStream from = new(bytes), to = new();
+        using Stream stream = encoding switch
+        {
+            "br" => new BrotliStream(from, CompressionMode.Decompress),
+            "gzip" => new GZipStream(from, CompressionMode.Decompress),
+            _ => from,
+        };
+        stream.CopyTo(to);
+        return to.ToArray();
     }
 
     private static BodyFlags FlagsOf(byte[] bodies) => (BodyFlags)bodies[ServerFrames.BodiesHeaderLength + 5];

@@ -1,4 +1,4 @@
-using System.Collections.Concurrent;
+using System.Threading.Channels;
 using Microsoft.Extensions.Logging;
 using Surefoot.Workbench.Simulation;
 using Surefoot.Workbench.Wire;
@@ -6,19 +6,23 @@ using Surefoot.Workbench.Wire;
 namespace Surefoot.Workbench.Hosting;
 
 /// <summary>
-/// The one loop that touches the world: takes what pages said, lets time pass, and tells the pages. It wakes far more often than physics steps, so that a
-/// step comes as soon as its quantum is full and a key acts at the moment it arrives.
+/// The one loop that touches the world: takes what pages said, lets time pass, and tells the pages. It wakes far more often than physics
+/// steps, so that a step comes as soon as its quantum is full and a key acts at the moment it arrives. Without a page it sleeps, and so does
+/// the world's time.
 /// </summary>
 internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters counters, TimeProvider clock, ILogger logger, int maxPlayers)
 {
     private static readonly TimeSpan WakeEvery = TimeSpan.FromMilliseconds(4);
 
-    private readonly ConcurrentQueue<(PageConnection Page, bool Enters)> doors = new();
+    private readonly Channel<(PageConnection Page, bool Enters)> doors = Channel.CreateUnbounded<(PageConnection, bool)>();
     private readonly List<Seat> seats = [];
     private readonly List<(uint Id, PlayerPose Pose)> poses = [];
     private readonly List<BodyPose> bodies = [];
     private readonly List<MovingPart> moving = [];
     private readonly long epoch = clock.GetTimestamp();
+    private TimeSpan slept;
+    private long turns;
+    private long rests;
     private int reserved;
     private uint lastId;
     private uint step;
@@ -26,8 +30,14 @@ internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters co
     /// <summary>Called after each step with each player's pose, before it is sent; for tests that compare a page with the world.</summary>
     public Action<uint, uint, PlayerPose>? PosePublished { get; set; }
 
-    /// <summary>Seconds since the loop was made.</summary>
-    public double Now => clock.GetElapsedTime(epoch).TotalSeconds;
+    /// <summary>How often the loop has looked after the world.</summary>
+    public long Turns => Interlocked.Read(ref turns);
+
+    /// <summary>How often it has gone to sleep.</summary>
+    public long Rests => Interlocked.Read(ref rests);
+
+    /// <summary>Seconds since the loop was made, without those in which nobody was there.</summary>
+    private double Now => (clock.GetElapsedTime(epoch) - slept).TotalSeconds;
 
     /// <summary>Reserves a seat for a page that is about to connect; false when all are taken.</summary>
     public bool TryReserve()
@@ -41,18 +51,21 @@ internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters co
     public void Release() => Interlocked.Decrement(ref reserved);
 
     /// <summary>A page came: it gets a player at the next turn of the loop.</summary>
-    public void Enter(PageConnection page) => doors.Enqueue((page, true));
+    public void Enter(PageConnection page) => doors.Writer.TryWrite((page, true));
 
     /// <summary>A page went: its player leaves at the next turn of the loop.</summary>
-    public void Exit(PageConnection page) => doors.Enqueue((page, false));
+    public void Exit(PageConnection page) => doors.Writer.TryWrite((page, false));
 
     /// <summary>Runs until cancelled.</summary>
     public async Task RunAsync(CancellationToken stopping)
     {
-        using PeriodicTimer timer = new(WakeEvery, clock);
         try
         {
-            while (await timer.WaitForNextTickAsync(stopping).ConfigureAwait(false)) Turn(Now);
+            while (true)
+            {
+                await SleepAsync(stopping).ConfigureAwait(false);
+                await PlayAsync(stopping).ConfigureAwait(false);
+            }
         }
         catch (OperationCanceledException) when (stopping.IsCancellationRequested)
         {
@@ -64,8 +77,26 @@ internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters co
         }
     }
 
+    /// <summary>Waits until a page comes.</summary>
+    private async Task SleepAsync(CancellationToken stopping)
+    {
+        long since = clock.GetTimestamp();
+        Interlocked.Increment(ref rests);
+        await doors.Reader.WaitToReadAsync(stopping).ConfigureAwait(false);
+        slept += clock.GetElapsedTime(since);
+    }
+
+    /// <summary>Lets the world go on while a page is there.</summary>
+    private async Task PlayAsync(CancellationToken stopping)
+    {
+        using PeriodicTimer timer = new(WakeEvery, clock);
+        do Turn(Now);
+        while ((seats.Count > 0 || doors.Reader.TryPeek(out _)) && await timer.WaitForNextTickAsync(stopping).ConfigureAwait(false));
+    }
+
     private void Turn(double now)
     {
+        Interlocked.Increment(ref turns);
         OpenDoors(now);
         for (int i = seats.Count - 1; i >= 0; i--) Listen(seats[i], now);
         if (!world.Advance(now)) return;
@@ -76,7 +107,7 @@ internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters co
 
     private void OpenDoors(double now)
     {
-        while (doors.TryDequeue(out (PageConnection Page, bool Enters) door))
+        while (doors.Reader.TryRead(out (PageConnection Page, bool Enters) door))
         {
             if (door.Enters) Admit(door.Page, now);
             else if (seats.Find(seat => seat.Page == door.Page) is { } seat) Dismiss(seat);

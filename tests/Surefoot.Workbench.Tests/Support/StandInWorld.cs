@@ -1,3 +1,4 @@
+using System.Collections.Concurrent;
 using System.Numerics;
 using Surefoot.Workbench.Simulation;
 using Surefoot.Workbench.Wire;
@@ -14,6 +15,7 @@ internal sealed class StandInWorld : IWorkbenchWorld
     public static readonly Vector3 DoorSize = new(1.2f, 0.12f, 2.2f);
 
     private readonly List<StandInPlayer> players = [];
+    private readonly ConcurrentQueue<double> moments = [];
     private double last = double.NaN;
     private bool doorIsOpen;
 
@@ -45,9 +47,19 @@ internal sealed class StandInWorld : IWorkbenchWorld
     /// <summary>Closed, the world stands still, as a server does that hangs.</summary>
     public ManualResetEventSlim Gate { get; } = new(initialState: true);
 
+    /// <summary>How often the world was advanced.</summary>
+    public int Advances => moments.Count;
+
+    /// <summary>When the world was advanced last, seconds.</summary>
+    public double Now => moments.Max();
+
+    /// <summary>When the world was first advanced after a moment, seconds.</summary>
+    public double FirstAfter(double moment) => moments.Where(one => one > moment).Min();
+
     public bool Advance(double now)
     {
         Gate.Wait();
+        moments.Enqueue(now);
         if (double.IsNaN(last)) last = now;
         float quantum = (float)(now - last);
         if (quantum < WireLimits.MinQuantum) return false;
