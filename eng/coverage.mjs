@@ -1,5 +1,5 @@
-// Prints the share of lines that the tests ran, by assembly, from the Cobertura reports in a folder: a line counts when any test project ran it.
-// With --missing ASSEMBLY it lists the lines that no test ran instead.
+// Prints the share of lines that the tests ran, by assembly, from the Cobertura reports in a folder: a line counts when any test project
+// ran it. With --missing ASSEMBLY it lists the lines that no test ran instead.
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 
@@ -26,6 +26,7 @@ if (option === "--missing") {
   console.log("\nLines that tests ran, by assembly:");
   for (const [assembly, lines] of [...assemblies].sort()) {
     const run = [...lines.values()].filter((hits) => hits > 0).length;
-    if (lines.size > 0) console.log(`  ${assembly.padEnd(24)} ${((100 * run) / lines.size).toFixed(2).padStart(6)} %  (${run} of ${lines.size})`);
+    const share = ((100 * run) / lines.size).toFixed(2).padStart(6);
+    if (lines.size > 0) console.log(`  ${assembly.padEnd(24)} ${share} %  (${run} of ${lines.size})`);
   }
 }

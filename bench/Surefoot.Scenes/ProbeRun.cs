@@ -10,8 +10,8 @@ using Surefoot.Server;
 namespace Surefoot.Scenes;
 
 /// <summary>
-/// Players who ran side by side through the same landblock, a few metres apart and listed in the same cells, and the quanta of their runs, to be asked about again by
-/// as many threads.
+/// Players who ran side by side through the same landblock, a few metres apart and listed in the same cells, and the quanta of their runs,
+/// to be asked about again by as many threads.
 /// </summary>
 public sealed class ProbeRun : SceneRun
 {
@@ -76,6 +76,7 @@ public sealed class ProbeRun : SceneRun
     private readonly record struct Way(BodySeat From, Position To)
     {
         public static Way Of(PhysicsBody body) => new(
-            new BodySeat(body.Position, body.Velocity, body.Transient, body.ContactPlane, body.ContactPlaneCellId, body.SlidingNormal), body.Position);
+            new BodySeat(body.Position, body.Velocity, body.Transient, body.ContactPlane, body.ContactPlaneCellId, body.SlidingNormal),
+            body.Position);
     }
 }

@@ -23,7 +23,8 @@ public sealed record Scene(string Name, int Quanta, Func<DatSet, SceneRun> Begin
         Of("town", new("town", MovementKeys.Forward)),
         Of("stairs", new("long-stair", MovementKeys.Forward) { Quanta = 45 }),
         Of("corridor", new("dungeon-corridor", MovementKeys.Forward) { Quanta = 90 }),
-        Of("jump through a doorway", new("house-door", MovementKeys.Forward) { Offset = new(2, 0.05f), Airborne = new(0, 9, 1.5f), Quanta = 20 }),
+        Of("jump through a doorway",
+            new("house-door", MovementKeys.Forward) { Offset = new(2, 0.05f), Airborne = new(0, 9, 1.5f), Quanta = 20 }),
     ];
 
     /// <summary>Many bodies at once.</summary>

@@ -12,8 +12,8 @@ using Surefoot.Server;
 namespace Surefoot.Scenes;
 
 /// <summary>
-/// A player with restless fingers who is taken from one place of the demo world to the next, among all who are spawned there; at each a ball, an arrow, a giant and
-/// a creature are thrown as well.
+/// A player with restless fingers who is taken from one place of the demo world to the next, among all who are spawned there; at each a
+/// ball, an arrow, a giant and a creature are thrown as well.
 /// </summary>
 internal sealed class TourRun : SceneRun
 {
@@ -28,7 +28,8 @@ internal sealed class TourRun : SceneRun
     [
         MovementKeys.Forward, MovementKeys.Forward | MovementKeys.TurnLeft, MovementKeys.Forward | MovementKeys.Jump, MovementKeys.Back,
         MovementKeys.SidestepLeft, MovementKeys.Forward | MovementKeys.SidestepRight, MovementKeys.Forward | MovementKeys.Walk,
-        MovementKeys.Forward | MovementKeys.TurnRight | MovementKeys.Jump, MovementKeys.None, MovementKeys.SidestepRight | MovementKeys.Jump,
+        MovementKeys.Forward | MovementKeys.TurnRight | MovementKeys.Jump, MovementKeys.None,
+        MovementKeys.SidestepRight | MovementKeys.Jump,
     ];
 
     private readonly List<PhysicsBody> visitors = [];
@@ -77,9 +78,12 @@ internal sealed class TourRun : SceneRun
         Engine.Player = player?.Body;
         const PhysicsState plain = PhysicsState.Gravity | PhysicsState.ReportCollisions;
         Throw(position, Engine.CreateBody(FirstThrown, Ball, plain, WeenieTraits.Present));
-        Throw(position, Engine.CreateBody(FirstThrown + 1, Arrow, plain | PhysicsState.Missile | PhysicsState.PathClipped | PhysicsState.AlignPath, WeenieTraits.Present));
+        Throw(
+            position, Engine.CreateBody(FirstThrown + 1, Arrow,
+                plain | PhysicsState.Missile | PhysicsState.PathClipped | PhysicsState.AlignPath, WeenieTraits.Present));
         Throw(position, Engine.CreateBody(FirstThrown + 2, Human, weenie: WeenieTraits.Present | WeenieTraits.Creature, scale: 1.5f));
-        Throw(position, Engine.CreateBody(FirstThrown + 3, Cache.GetSetup(SmallCreatureSetup), plain, WeenieTraits.Present | WeenieTraits.Creature));
+        Throw(position,
+            Engine.CreateBody(FirstThrown + 3, Cache.GetSetup(SmallCreatureSetup), plain, WeenieTraits.Present | WeenieTraits.Creature));
     }
 
     private void Throw(Position position, PhysicsBody body)
@@ -87,7 +91,8 @@ internal sealed class TourRun : SceneRun
         visitors.Add(body);
         position.Frame.Origin += new Vector3(Roll(-3, 3), Roll(-3, 3), Roll(0, 2));
         if (CellIds.IsOutdoor(position.CellId)) position.AdjustToOutside();
-        if (CellIds.HasValidIndex(position.CellId) && body.EnterWorld(position)) body.SetVelocity(new Vector3(Roll(-15, 15), Roll(-15, 15), Roll(-3, 10)));
+        if (CellIds.HasValidIndex(position.CellId) && body.EnterWorld(position))
+            body.SetVelocity(new Vector3(Roll(-15, 15), Roll(-15, 15), Roll(-3, 10)));
     }
 
     private float Roll(float from, float to) => (float)(from + ((to - from) * Roll()));

@@ -71,7 +71,8 @@ public sealed class LocalPlayer
         options ??= new LocalPlayerOptions();
         PlayerWeenie weenie = new(new CharacterStats(0, 0), options.TopSpeedRule);
         PhysicsBody body = engine.CreateBody(
-            id, setup, PhysicsState.Default, WeenieTraits.Present | WeenieTraits.Creature | WeenieTraits.Player, motions: new BodyMotions(table, weenie));
+            id, setup, PhysicsState.Default, WeenieTraits.Present | WeenieTraits.Creature | WeenieTraits.Player,
+            motions: new BodyMotions(table, weenie));
         body.Trace = options.Trace;
         try
         {

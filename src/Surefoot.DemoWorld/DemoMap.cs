@@ -28,11 +28,13 @@ public static class DemoMap
 
     /// <summary>The town, with the outlines of what stands there.</summary>
     /// <param name="seed">The world's seed.</param>
-    public static string TownToSvg(uint seed = DemoWorldBuilder.DefaultSeed) => Draw(Town, WorldPlan.Create(seed), _ => true, detailed: true);
+    public static string TownToSvg(uint seed = DemoWorldBuilder.DefaultSeed) =>
+        Draw(Town, WorldPlan.Create(seed), _ => true, detailed: true);
 
     /// <summary>The obstacle park, with the outlines of what stands there.</summary>
     /// <param name="seed">The world's seed.</param>
-    public static string ParkToSvg(uint seed = DemoWorldBuilder.DefaultSeed) => Draw(Park, WorldPlan.Create(seed), _ => true, detailed: true);
+    public static string ParkToSvg(uint seed = DemoWorldBuilder.DefaultSeed) =>
+        Draw(Park, WorldPlan.Create(seed), _ => true, detailed: true);
 
     private static bool Crowded(NamedPlace place)
     {
@@ -45,9 +47,11 @@ public static class DemoMap
     {
         int width = ((view.East - view.West) * view.Scale) + (2 * Margin), height = ((view.North - view.South) * view.Scale) + (2 * Margin);
         var svg = new StringBuilder();
-        svg.Append(CultureInfo.InvariantCulture, $"<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" font-family=\"sans-serif\">\n");
+        svg.Append(CultureInfo.InvariantCulture,
+            $"<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" font-family=\"sans-serif\">\n");
         svg.Append(CultureInfo.InvariantCulture, $"<title>{view.Title}</title>\n");
-        svg.Append(CultureInfo.InvariantCulture, $"<rect width=\"{width}\" height=\"{height}\" fill=\"{Hex(TerrainKinds.ColourOf(TerrainKind.WaterDeepSea), 1)}\"/>\n");
+        svg.Append(CultureInfo.InvariantCulture,
+            $"<rect width=\"{width}\" height=\"{height}\" fill=\"{Hex(TerrainKinds.ColourOf(TerrainKind.WaterDeepSea), 1)}\"/>\n");
         AppendCells(svg, view, plan.Terrain);
         AppendRoads(svg, view, plan.Terrain);
         AppendBlocks(svg, view);
@@ -69,7 +73,8 @@ public static class DemoMap
                 string colour = CellColour(terrain, column, row);
                 if (!fills.TryGetValue(colour, out var path))
                     fills[colour] = path = new StringBuilder();
-                path.Append(CultureInfo.InvariantCulture, $"M{view.X(column):0} {view.Y(row + 1):0}h{view.Scale}v{view.Scale}h-{view.Scale}z");
+                path.Append(CultureInfo.InvariantCulture,
+                    $"M{view.X(column):0} {view.Y(row + 1):0}h{view.Scale}v{view.Scale}h-{view.Scale}z");
             }
         }
 
@@ -87,24 +92,29 @@ public static class DemoMap
         var kind = terrain.Kind(column, row);
 
         // Light from the north-west, in steps so that few colours are needed.
-        double light = TerrainKinds.IsWater(kind) ? 1.0 : 0.55 + (0.55 * ((-0.5 * ground.Normal.X) + (0.5 * ground.Normal.Y) + (0.75 * ground.Normal.Z)));
+        double light = TerrainKinds.IsWater(kind)
+            ? 1.0
+            : 0.55 + (0.55 * ((-0.5 * ground.Normal.X) + (0.5 * ground.Normal.Y) + (0.75 * ground.Normal.Z)));
         return Hex(TerrainKinds.ColourOf(kind), Math.Round(Math.Clamp(light, 0.6, 1.15) * 16.0) / 16.0);
     }
 
     private static void AppendRoads(StringBuilder svg, View view, DemoTerrain terrain)
     {
-        svg.Append(CultureInfo.InvariantCulture, $"<path fill=\"none\" stroke=\"#c9ab7c\" stroke-width=\"{view.Scale / 3}\" stroke-linecap=\"round\" d=\"");
+        svg.Append(CultureInfo.InvariantCulture,
+            $"<path fill=\"none\" stroke=\"#c9ab7c\" stroke-width=\"{view.Scale / 3}\" stroke-linecap=\"round\" d=\"");
         for (int column = view.West; column < view.East; column++)
         {
             for (int row = view.South; row < view.North; row++)
             {
-                foreach (var (toColumn, toRow) in new[] { (column + 1, row), (column, row + 1), (column + 1, row + 1), (column + 1, row - 1) })
+                (int Column, int Row)[] ahead = [(column + 1, row), (column, row + 1), (column + 1, row + 1), (column + 1, row - 1)];
+                foreach ((int toColumn, int toRow) in ahead)
                 {
                     // A diagonal beside a straight connection would only draw a triangle.
                     bool joined = terrain.IsRoad(column, row) && terrain.IsRoad(toColumn, toRow);
                     bool straight = toColumn == column || toRow == row;
                     if (joined && (straight || !(terrain.IsRoad(toColumn, row) || terrain.IsRoad(column, toRow))))
-                        svg.Append(CultureInfo.InvariantCulture, $"M{view.X(column):0} {view.Y(row):0}L{view.X(toColumn):0} {view.Y(toRow):0}");
+                        svg.Append(CultureInfo.InvariantCulture,
+                            $"M{view.X(column):0} {view.Y(row):0}L{view.X(toColumn):0} {view.Y(toRow):0}");
                 }
             }
         }
@@ -118,7 +128,8 @@ public static class DemoMap
         for (int i = 0; i <= DemoTerrain.LandBlocks; i++)
         {
             if (i * 8 >= view.West && i * 8 <= view.East)
-                svg.Append(CultureInfo.InvariantCulture, $"<path d=\"M{view.X(i * 8):0} {view.Y(view.South):0}V{view.Y(view.North):0}\"/>\n");
+                svg.Append(CultureInfo.InvariantCulture,
+                    $"<path d=\"M{view.X(i * 8):0} {view.Y(view.South):0}V{view.Y(view.North):0}\"/>\n");
             if (i * 8 >= view.South && i * 8 <= view.North)
                 svg.Append(CultureInfo.InvariantCulture, $"<path d=\"M{view.X(view.West):0} {view.Y(i * 8):0}H{view.X(view.East):0}\"/>\n");
         }
@@ -128,7 +139,8 @@ public static class DemoMap
         {
             var (column, row) = DemoTerrain.OriginOf(x, y);
             if (column >= view.West && column < view.East && row >= view.South && row < view.North)
-                svg.Append(CultureInfo.InvariantCulture, $"<text x=\"{view.X(column) + 3:0}\" y=\"{view.Y(row) - 4:0}\">{x:X2}{y:X2}</text>\n");
+                svg.Append(CultureInfo.InvariantCulture,
+                    $"<text x=\"{view.X(column) + 3:0}\" y=\"{view.Y(row) - 4:0}\">{x:X2}{y:X2}</text>\n");
         }
 
         svg.Append("</g>\n");
@@ -168,7 +180,8 @@ public static class DemoMap
         {
             var (x, y) = PositionOf(spawn.CellId, spawn.Origin);
             if (view.Contains(x / 24, y / 24))
-                svg.Append(CultureInfo.InvariantCulture, $"<circle cx=\"{view.X(x / 24):0.#}\" cy=\"{view.Y(y / 24):0.#}\" r=\"1.5\"><title>{spawn.Name}</title></circle>\n");
+                svg.Append(CultureInfo.InvariantCulture,
+                    $"<circle cx=\"{view.X(x / 24):0.#}\" cy=\"{view.Y(y / 24):0.#}\" r=\"1.5\"><title>{spawn.Name}</title></circle>\n");
         }
 
         svg.Append("</g>\n");
@@ -185,11 +198,13 @@ public static class DemoMap
         svg.Append("<g font-size=\"10\" fill=\"#101010\" stroke=\"#ffffffcc\" stroke-width=\"2.5\" paint-order=\"stroke\">\n");
         foreach (var (place, x, y) in dots)
         {
-            svg.Append(CultureInfo.InvariantCulture, $"<circle cx=\"{x:0.#}\" cy=\"{y:0.#}\" r=\"3\"><title>{place.Title}. {place.WhatToTry}</title></circle>");
+            svg.Append(CultureInfo.InvariantCulture,
+                $"<circle cx=\"{x:0.#}\" cy=\"{y:0.#}\" r=\"3\"><title>{place.Title}. {place.WhatToTry}</title></circle>");
             if (IsYardSlope(place))
             {
                 // Twelve in a row: slanted, over the terrace behind them.
-                svg.Append(CultureInfo.InvariantCulture, $"<text x=\"{x + 5:0.#}\" y=\"{y - 5:0.#}\" transform=\"rotate(-60 {x:0.#} {y:0.#})\">{place.Name}</text>");
+                svg.Append(CultureInfo.InvariantCulture,
+                    $"<text x=\"{x + 5:0.#}\" y=\"{y - 5:0.#}\" transform=\"rotate(-60 {x:0.#} {y:0.#})\">{place.Name}</text>");
             }
             else if (named(place))
             {

@@ -6,7 +6,8 @@ namespace Surefoot.DemoWorld;
 /// <summary>The named places of the demo world, shared by the page, the tool and the tests.</summary>
 public static class DemoPlaces
 {
-    private static readonly Lazy<ImmutableArray<NamedPlace>> DefaultPlaces = new(() => WorldPlan.Create(DemoWorldBuilder.DefaultSeed).Places);
+    private static readonly Lazy<ImmutableArray<NamedPlace>> DefaultPlaces = new(
+        () => WorldPlan.Create(DemoWorldBuilder.DefaultSeed).Places);
 
     /// <summary>The places of the world that <see cref="DemoWorldBuilder.DefaultSeed"/> makes, the starting place first.</summary>
     public static ImmutableArray<NamedPlace> All => DefaultPlaces.Value;

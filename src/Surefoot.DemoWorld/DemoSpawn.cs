@@ -28,7 +28,8 @@ public enum DemoSpawnKind
 /// <param name="Origin">Metres from the south-west corner of the cell's block.</param>
 /// <param name="Heading">Degrees clockwise from north.</param>
 /// <param name="WanderRadius">How far it strays (m); 0 when it does not.</param>
-public sealed record DemoSpawn(string Name, DemoSpawnKind Kind, uint SetupId, uint CellId, Vector3 Origin, float Heading, float WanderRadius)
+public sealed record DemoSpawn(
+    string Name, DemoSpawnKind Kind, uint SetupId, uint CellId, Vector3 Origin, float Heading, float WanderRadius)
 {
     /// <summary>The heading as a rotation about +z, of length 1.</summary>
     public Quaternion Orientation => new Spot(0, 0, 0, Heading).ToFrame().Rotation;

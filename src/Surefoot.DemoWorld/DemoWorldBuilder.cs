@@ -21,8 +21,8 @@ public static class DemoWorldBuilder
 
     /// <summary>Writes client_portal.dat, client_cell_1.dat and an empty client_local_English.dat.</summary>
     /// <remarks>
-    /// The same seed gives the same bytes. Takes about a second. Existing files of these names are replaced, each at once when it is whole: several writers at a
-    /// time do not disturb each other, and the last one's files stay.
+    /// The same seed gives the same bytes. Takes about a second. Existing files of these names are replaced, each at once when it is whole:
+    /// several writers at a time do not disturb each other, and the last one's files stay.
     /// </remarks>
     /// <param name="directory">Where to; made when missing.</param>
     /// <param name="seed">Chooses the landscape; the places keep their names.</param>
@@ -46,7 +46,8 @@ public static class DemoWorldBuilder
 
     private static IEnumerable<DatRecord> PortalRecords() =>
     [
-        RegionRecords.Region(), .. Surfaces.All(), .. HumanBody.All(), .. HumanMotions.All(), .. Creatures.All(), .. NatureShapes.All(), .. ObstacleShapes.All(),
+        RegionRecords.Region(), .. Surfaces.All(), .. HumanBody.All(), .. HumanMotions.All(), .. Creatures.All(), .. NatureShapes.All(),
+        .. ObstacleShapes.All(),
         .. Windmill.All(), House.Shell(), House.Interior.Environment(), Dungeon.Interior.Environment(),
     ];
 

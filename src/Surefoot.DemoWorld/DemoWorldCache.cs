@@ -28,8 +28,8 @@ public static class DemoWorldCache
 
     /// <summary>The folder of a seed's world, written now if it is not there yet.</summary>
     /// <remarks>
-    /// Safe to call from several threads and processes at once: a world appears whole or not at all, and all get the same. A cache that cannot be written to is
-    /// replaced by a folder for temporary files.
+    /// Safe to call from several threads and processes at once: a world appears whole or not at all, and all get the same. A cache that
+    /// cannot be written to is replaced by a folder for temporary files.
     /// </remarks>
     /// <param name="seed">The world's seed.</param>
     /// <param name="progress">Told about each step when the world has to be written.</param>
@@ -48,7 +48,9 @@ public static class DemoWorldCache
         {
             string temporary = Path.Combine(Path.GetTempPath(), $"surefoot-{Environment.UserName}", "demo-world");
             if (temporary == root) throw;
-            notice?.Invoke($"the cache {root} cannot be written to ({error.Message.TrimEnd('.')}); the demo world is in {temporary}. Set {FolderVariable} to choose a folder.");
+            notice?.Invoke(
+                $"the cache {root} cannot be written to ({error.Message.TrimEnd('.')}); the demo world is in {temporary}. " +
+                $"Set {FolderVariable} to choose a folder.");
             return GetOrCreateIn(temporary, seed, progress);
         }
     }

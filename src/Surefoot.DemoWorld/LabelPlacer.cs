@@ -20,7 +20,8 @@ internal sealed class LabelPlacer
             (x + 5, y - 14), (x + 5, y + 4), (x - 5 - width, y - 14), (x - 5 - width, y + 4),
         ];
         int best = Array.FindIndex(corners, corner => !taken.Any(other =>
-            corner.Left < other.X + other.Width && other.X < corner.Left + width && corner.Top < other.Y + other.Height && other.Y < corner.Top + Height));
+            corner.Left < other.X + other.Width && other.X < corner.Left + width && corner.Top < other.Y + other.Height &&
+            other.Y < corner.Top + Height));
         var (left, top) = corners[Math.Max(best, 0)];
         Block(left, top, width, Height);
         return (left, top + 8.5);

@@ -174,7 +174,7 @@ public sealed class PhysicsEngine : ILoadListener
     /// <param name="state">Physics state word of the body.</param>
     /// <param name="weenie">What kind of body.</param>
     /// <exception cref="ArgumentException">
-    /// A position is not finite, an id cannot name a cell, or the shape is none that can move.
+    /// A position is not finite, an id cannot name a cell, or the shape cannot move.
     /// </exception>
     public SweepResult Resolve(
         SetupAsset setup, in Position from, in Position to, PhysicsState state = PhysicsState.Default,

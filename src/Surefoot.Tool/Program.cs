@@ -26,7 +26,8 @@ internal static class Program
     internal static async Task<int> RunAsync(string[] args, CancellationToken cancellation)
     {
         // A RootCommand would take its name from the assembly.
-        Command root = new("surefoot", "Moves bodies through an Asheron's Call world exactly as the retail client did.\n\nExample:\n  surefoot play")
+        Command root = new("surefoot",
+            "Moves bodies through an Asheron's Call world exactly as the retail client did.\n\nExample:\n  surefoot play")
         {
             new HelpOption(), new VersionOption(),
             PlayCommand.Create(), WalkCommand.Create(), DatsCommand.Create(), DemoCommand.Create(), ConformCommand.Create(),
@@ -41,21 +42,25 @@ internal static class Program
 
         try
         {
-            return await parsed.InvokeAsync(new InvocationConfiguration { EnableDefaultExceptionHandler = false }, cancellation).ConfigureAwait(false);
+            return await parsed.InvokeAsync(new InvocationConfiguration { EnableDefaultExceptionHandler = false },
+                cancellation).ConfigureAwait(false);
         }
         catch (UsageException e)
         {
             await Console.Error.WriteLineAsync($"surefoot: {e.Message}").ConfigureAwait(false);
             return ExitCode.Usage;
         }
-        catch (Exception e) when (e is IOException or InvalidDataException or UnauthorizedAccessException or DatFormatException or DatRecordMissingException)
+        catch (Exception e) when (
+            e is IOException or InvalidDataException or UnauthorizedAccessException or DatFormatException or DatRecordMissingException)
         {
             await Console.Error.WriteLineAsync($"surefoot: {e.Message}").ConfigureAwait(false);
             return ExitCode.Failed;
         }
         catch (Exception e) when (!Debugging && e is not OperationCanceledException)
         {
-            await Console.Error.WriteLineAsync($"surefoot: {Unexpected}: {e.GetType().Name}: {e.Message} Please report it; {DebugVariable}=1 shows where it happened.").ConfigureAwait(false);
+            await Console.Error.WriteLineAsync(
+                $"surefoot: {Unexpected}: {e.GetType().Name}: {e.Message} Please report it; {DebugVariable}=1 shows where it happened.")
+                .ConfigureAwait(false);
             return ExitCode.Failed;
         }
     }

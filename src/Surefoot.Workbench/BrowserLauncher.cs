@@ -19,7 +19,8 @@ public static class BrowserLauncher
             using Process? process = Process.Start(start);
             return true;
         }
-        catch (Exception missing) when (missing is Win32Exception or FileNotFoundException or InvalidOperationException or PlatformNotSupportedException)
+        catch (Exception missing)
+            when (missing is Win32Exception or FileNotFoundException or InvalidOperationException or PlatformNotSupportedException)
         {
             return false;
         }

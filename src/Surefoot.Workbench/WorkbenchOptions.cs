@@ -20,7 +20,9 @@ public sealed record WorkbenchOptions
     /// <summary>How many pages may play at once, 1 to 256. One more is answered with 503.</summary>
     public int MaxPlayers { get; init; } = 32;
 
-    /// <summary>Told, in a sentence each, what whoever starts the server should know: a cache that cannot be written to; null for nobody.</summary>
+    /// <summary>
+    /// Told, in a sentence each, what whoever starts the server should know: a cache that cannot be written to; null for nobody.
+    /// </summary>
     public Action<string>? Notice { get; init; }
 
     /// <summary>Where to log; null for nowhere.</summary>

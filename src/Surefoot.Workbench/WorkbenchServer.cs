@@ -19,7 +19,9 @@ using Surefoot.Workbench.Wire;
 
 namespace Surefoot.Workbench;
 
-/// <summary>A running workbench: the page, the world behind it, and the loop that moves the players. Listens on the loopback address only.</summary>
+/// <summary>
+/// A running workbench: the page, the world behind it, and the loop that moves the players. Listens on the loopback address only.
+/// </summary>
 public sealed class WorkbenchServer : IAsyncDisposable
 {
     private const int PortsToTry = 100;
@@ -60,7 +62,9 @@ public sealed class WorkbenchServer : IAsyncDisposable
     /// <param name="cancellation">Gives up starting.</param>
     /// <returns>The running server; dispose it to stop.</returns>
     /// <exception cref="DatFolderException">The dat folder or a file in it is missing; the message says which.</exception>
-    /// <exception cref="DatFormatException">A file is no dat file, or the region, the human setup or its motion table is malformed.</exception>
+    /// <exception cref="DatFormatException">
+    /// A file is no dat file, or the region, the human setup or its motion table is malformed.
+    /// </exception>
     /// <exception cref="DatRecordMissingException">The region, the human setup or its motion table is missing.</exception>
     /// <exception cref="ArgumentException">An option is out of range, or the list of places is empty.</exception>
     /// <exception cref="IOException">The demo world cannot be written, or a hundred ports from the one asked for are taken.</exception>
@@ -147,7 +151,8 @@ public sealed class WorkbenchServer : IAsyncDisposable
         builder.Services.AddSingleton<IHostLifetime, CallersLifetime>();
         WebApplication app = builder.Build();
         app.Use(OnlyThisMachine);
-        app.UseWebSockets(new WebSocketOptions { KeepAliveInterval = TimeSpan.FromSeconds(10), KeepAliveTimeout = TimeSpan.FromSeconds(20) });
+        app.UseWebSockets(
+            new WebSocketOptions { KeepAliveInterval = TimeSpan.FromSeconds(10), KeepAliveTimeout = TimeSpan.FromSeconds(20) });
         app.UseRouting();
         PageFiles page = new();
         app.MapGet("/places.json", () => Results.Json(Listing(world)));
@@ -161,14 +166,16 @@ public sealed class WorkbenchServer : IAsyncDisposable
     }
 
     /// <summary>
-    /// A page of another site must not reach this server through the person's browser: the host asked for is this machine, and a socket comes from our page.
+    /// A page of another site must not reach this server through the person's browser: the host asked for is this machine, and a socket
+    /// comes from our page.
     /// </summary>
     private static Task OnlyThisMachine(HttpContext context, RequestDelegate next)
     {
         string host = context.Request.Host.Host;
         string? origin = context.Request.Headers.Origin;
         bool here = host is "127.0.0.1" or "localhost" or "[::1]" or "::1";
-        bool ours = origin is null || (Uri.TryCreate(origin, UriKind.Absolute, out Uri? from) && from.Authority == context.Request.Host.Value);
+        bool ours = origin is null ||
+            (Uri.TryCreate(origin, UriKind.Absolute, out Uri? from) && from.Authority == context.Request.Host.Value);
         if (!here || !ours)
         {
             context.Response.StatusCode = StatusCodes.Status403Forbidden;
@@ -177,7 +184,8 @@ public sealed class WorkbenchServer : IAsyncDisposable
 
         context.Response.Headers.XContentTypeOptions = "nosniff";
         context.Response.Headers.ContentSecurityPolicy =
-            "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; connect-src 'self' ws:; frame-ancestors 'none'";
+            "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; connect-src 'self' ws:; " +
+            "frame-ancestors 'none'";
         return next(context);
     }
 
@@ -202,7 +210,7 @@ public sealed class WorkbenchServer : IAsyncDisposable
     private static object Statistics(ServerCounters counters) => new
     {
         players = counters.Players,
-        steps = counters.Steps,
+        ticks = counters.Ticks,
         received = counters.Received,
         malformed = counters.Malformed,
         overflowed = counters.Overflowed,
@@ -213,7 +221,9 @@ public sealed class WorkbenchServer : IAsyncDisposable
     private static IResult Shapes(IWorkbenchWorld world, string block)
     {
         if (!TryParseBlock(block, out ushort id)) return Results.NotFound();
-        return world.ReadShapes(id) is { } shapes ? Results.Bytes(ShapesFrame.Encode(shapes), "application/octet-stream") : Results.NoContent();
+        return world.ReadShapes(id) is { } shapes
+            ? Results.Bytes(ShapesFrame.Encode(shapes), "application/octet-stream")
+            : Results.NoContent();
     }
 
     private static bool TryParseBlock(string text, out ushort block)

@@ -47,7 +47,7 @@ public readonly record struct Place(Position Position, bool OnGround = false)
             throw Refusal(text, $"0x{cell:X8} cannot name a cell: its low half is 0001 to 0040 outdoors, 0100 to FFFD indoors");
         if (onGround && !CellIds.IsOutdoor(cell)) throw Refusal(text, $"a place in a room needs its height, as in 0x{cell:X8},12,12,0");
         Frame frame = FrameOf(numbers, parts.Length - 1);
-        if (!frame.IsValid) throw Refusal(text, $"the rotation is none; {Forms}");
+        if (!frame.IsValid) throw Refusal(text, $"the rotation is not a unit quaternion; {Forms}");
         return new Place(new Position(cell, frame), onGround);
     }
 

@@ -74,7 +74,8 @@ internal sealed class DemoWalk
     /// <param name="upward">Metres from the place upwards.</param>
     /// <param name="heading">Degrees clockwise from north; that of the place when null.</param>
     internal DemoWalk(
-        DemoFiles files, string place, CharacterStats stats, float eastward = 0, float northward = 0, float upward = 0, float? heading = null)
+        DemoFiles files, string place, CharacterStats stats, float eastward = 0, float northward = 0, float upward = 0,
+        float? heading = null)
     {
         this.files = files;
         Assert.True(DemoPlaces.TryFind(place, out NamedPlace named));

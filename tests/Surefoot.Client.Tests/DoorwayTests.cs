@@ -21,14 +21,15 @@ public sealed class DoorwayTests(DemoFiles files) : IClassFixture<DemoFiles>
     {
         for (int angle = -80; angle <= 80; angle += 5)
         {
-            // The straight way clears the corners of the jambs, 0.6 m aside and 0.15 m before and behind the middle, by the body's radius or more.
-            // A flatter way may be caught there, since a slide only bends a step; it must not lose the room.
+            // The straight way clears the corners of the jambs, 0.6 m aside and 0.15 m before and behind the middle, by the body's radius
+            // or more. A flatter way may be caught there, since a slide only bends a step; it must not lose the room.
             double radians = angle * Math.PI / 180;
             bool clears = (0.6 * Math.Cos(radians)) - (0.15 * Math.Abs(Math.Sin(radians))) > 0.48;
             // Three metres from the middle of the doorway, aiming at it.
             DemoWalk walk = new(
                 files, "house-door", Runner,
-                eastward: (float)(-3 * Math.Sin(radians)), northward: (float)(DoorNorthOfPlace - 0.15 - (3 * Math.Cos(radians))), heading: angle);
+                eastward: (float)(-3 * Math.Sin(radians)), northward: (float)(DoorNorthOfPlace - 0.15 - (3 * Math.Cos(radians))),
+                heading: angle);
             walk.Hold(MovementKeys.Forward, 40, () => AssertInTheRightCell(FromPortal(walk, DoorNorthOfPlace), walk, angle));
             if (clears) Assert.False(CellIds.IsOutdoor(walk.Position.CellId), $"at {angle} degrees the walk ended in {walk.Position}");
 
@@ -79,7 +80,8 @@ public sealed class DoorwayTests(DemoFiles files) : IClassFixture<DemoFiles>
     }
 
     [Fact]
-    [Behaviour("obstacles.exactly-head-on-stays-blocked", "spec/03, 4.4 find_transitional_position 5c and adjust_offset; spec/02, 4.4 step 8")]
+    [Behaviour("obstacles.exactly-head-on-stays-blocked",
+        "spec/03, 4.4 find_transitional_position 5c and adjust_offset; spec/02, 4.4 step 8")]
     public void Whoever_pushes_exactly_head_on_stays_blocked_by_the_door_that_opens_until_he_turns()
     {
         // The wall's normal of the last move is kept until a move succeeds, and takes the whole of a head-on step.
@@ -144,6 +146,8 @@ public sealed class DoorwayTests(DemoFiles files) : IClassFixture<DemoFiles>
         else Assert.True(CellIds.IsOutdoor(cell), $"{at} is outdoors, not in {cell:X8}; {angle} degrees");
     }
 
-    /// <summary>Metres east of the middle of the doorway and north of the portal, which is so far north of the place the walk began at.</summary>
+    /// <summary>
+    /// Metres east of the middle of the doorway and north of the portal, which is so far north of the place the walk began at.
+    /// </summary>
     private static Vector2 FromPortal(DemoWalk walk, float northOfPlace) => new(walk.FromPlace.X, walk.FromPlace.Y - northOfPlace);
 }

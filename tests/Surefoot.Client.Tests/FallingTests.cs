@@ -39,7 +39,8 @@ public sealed class FallingTests(DemoFiles files) : IClassFixture<DemoFiles>
                 DemoWalk walk = new(files, "close-blocks", Runner, eastward: middle + aside, upward: 1);
                 walk.Hold(MovementKeys.None, 300);
                 Vector3 at = walk.FromPlace;
-                Assert.True(walk.Body.OnWalkable, $"let go {aside} m beside the middle of the gap at {middle} m it hangs at {at}: {walk.Body.Transient}");
+                Assert.True(walk.Body.OnWalkable,
+                    $"let go {aside} m beside the middle of the gap at {middle} m it hangs at {at}: {walk.Body.Transient}");
                 bool onTheGround = Math.Abs(at.Z + 3) < 0.01f;
                 // Across the narrow gap the sphere sinks until both edges hold it: by 0.48 - sqrt(0.48² - 0.45²) = 0.313 m.
                 Assert.True(onTheGround || Math.Abs(at.Z) < 0.32f, $"rests at {at}");

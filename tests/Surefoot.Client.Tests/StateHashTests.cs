@@ -7,7 +7,8 @@ using Surefoot.Scenes;
 namespace Surefoot.Client.Tests;
 
 /// <summary>
-/// Pins the bits that come of the scenes: whoever rearranges the house sees that nothing moved, and whoever means to change a result says so by renewing the record.
+/// Pins the bits that come of the scenes: whoever rearranges the house sees that nothing moved, and whoever means to change a result says
+/// so by renewing the record.
 /// </summary>
 public sealed class StateHashTests
 {
@@ -18,7 +19,8 @@ public sealed class StateHashTests
     public void The_scenes_end_in_the_states_on_record()
     {
         // Powers and sines come from the platform's library and may differ in the last bit elsewhere.
-        Assert.SkipUnless(OperatingSystem.IsLinux() && RuntimeInformation.ProcessArchitecture == Architecture.X64, "the record is of Linux on x64");
+        Assert.SkipUnless(OperatingSystem.IsLinux() && RuntimeInformation.ProcessArchitecture == Architecture.X64,
+            "the record is of Linux on x64");
         StringBuilder hashes = new();
         using (DatSet dats = DatSet.Open(DemoWorldCache.GetOrCreate()))
         {
@@ -33,8 +35,8 @@ public sealed class StateHashTests
             $"""
             Some body in a scene is no longer, bit for bit, where it was. Now:
             {hashes}On record in tests/data/state-hashes.txt:
-            {record}A change that should not alter any result has altered one. If it was meant to, run this test once with {Renew}=1, commit the file, and say in the
-            commit which behaviour changed and why.
+            {record}A change that should not alter any result has altered one. If it was meant to, run this test once with {Renew}=1,
+            commit the file, and say in the commit which behaviour changed and why.
             """);
     }
 }

@@ -29,7 +29,8 @@ internal sealed class WalkFixture
         Table = HumanoidTable.Create(smooth);
         Server = new LoopbackServer(PlayerId, stats, Engine.Now, latency);
         Player = LocalPlayer.Spawn(
-            Engine, PlayerId, Setup, Table, new Position(StubWorld.CellId, new Vector3(12, 12, 0)), Server, new LocalPlayerOptions { Observer = Sent })!;
+            Engine, PlayerId, Setup, Table, new Position(StubWorld.CellId, new Vector3(12, 12, 0)), Server,
+            new LocalPlayerOptions { Observer = Sent })!;
         Engine.Player = Player.Body;
         Hold(MovementKeys.None, 5);
     }

@@ -65,7 +65,8 @@ public class WalkingTests
     [Behaviour("acceptance.turn-speed", "spec/01, 4.3; spec/01b, 4")]
     public void Turning_is_one_point_five_radians_a_second_and_half_again_as_fast_with_run()
     {
-        foreach ((MovementKeys keys, double rate) in new[] { (MovementKeys.TurnRight, 2.25), (MovementKeys.TurnRight | MovementKeys.Walk, 1.5) })
+        (MovementKeys Keys, double Rate)[] turns = [(MovementKeys.TurnRight, 2.25), (MovementKeys.TurnRight | MovementKeys.Walk, 1.5)];
+        foreach ((MovementKeys keys, double rate) in turns)
         {
             WalkFixture f = new(new CharacterStats(300, 300));
             f.Hold(keys, 30);
@@ -102,11 +103,13 @@ public class WalkingTests
     public void Another_body_moves_at_the_forward_speed_of_its_update_motion()
     {
         WalkFixture f = new(new CharacterStats(800, 300));
-        PhysicsBody other = f.Engine.CreateBody(2, WalkFixture.Setup, weenie: WeenieTraits.Present | WeenieTraits.Creature, motions: new BodyMotions(f.Table, new OtherWeenie()));
+        PhysicsBody other = f.Engine.CreateBody(2, WalkFixture.Setup, weenie: WeenieTraits.Present | WeenieTraits.Creature,
+            motions: new BodyMotions(f.Table, new OtherWeenie()));
         MovementManager movement = f.Engine.MovementOf(other)!;
         Assert.True(other.EnterWorld(new Position(StubWorld.CellId, new Vector3(30, 12, 0))));
         f.Hold(MovementKeys.None, 5);
-        movement.ApplyUpdate(new InterpretedMotionState { ForwardCommand = MotionCommand.RunForward, ForwardSpeed = 1.7f }, autonomous: true);
+        movement.ApplyUpdate(new InterpretedMotionState { ForwardCommand = MotionCommand.RunForward, ForwardSpeed = 1.7f },
+            autonomous: true);
         f.Hold(MovementKeys.None, 5);
         float from = other.Position.Frame.Origin.Y;
         f.Hold(MovementKeys.None, 150);
@@ -135,7 +138,8 @@ public class WalkingTests
         f.Hold(MovementKeys.None, 1);
         SentJump jump = Assert.Single(f.Sent.Jumps);
         Assert.Equal(Math.Min(1, chargeFrames / 30.0), jump.Extent, 1e-6);
-        Assert.Equal(jump.Velocity, new Vector3(0, 0, MovementFormulas.JumpVelocity(MovementFormulas.JumpHeight(burden / 15000f, skill, jump.Extent))));
+        Assert.Equal(jump.Velocity,
+            new Vector3(0, 0, MovementFormulas.JumpVelocity(MovementFormulas.JumpHeight(burden / 15000f, skill, jump.Extent))));
 
         (double apex, int landing) = Fly(jump.Velocity.Z);
         double highest = f.Height;
@@ -157,7 +161,8 @@ public class WalkingTests
     {
         WalkFixture f = new(new CharacterStats(300, 0));
         f.Hold(MovementKeys.Jump, 1);
-        float[] expected = [0.0818608999f, 0.15283291f, 0.212916031f, 0.262110263f, 0.300415605f, 0.327832043f, 0.344359607f, 0.349998266f, 0.344553828f];
+        float[] expected = [0.0818608999f, 0.15283291f, 0.212916031f, 0.262110263f, 0.300415605f, 0.327832043f, 0.344359607f, 0.349998266f,
+            0.344553828f];
         foreach (float z in expected)
         {
             f.Hold(MovementKeys.None, 1);

@@ -3,8 +3,9 @@ using Surefoot.Physics.Motion;
 namespace Surefoot.Client.Tests;
 
 /// <summary>
-/// The windmill's sails: they turn by a degree each thirtieth of a second, four of them, before a passage that lies 8 m to the north of its place. By 0.3 m of sail
-/// and 0.48 m of body to each side a sail is in the way for about 14 degrees before and after it hangs down: some 29 of each 90 frames.
+/// The windmill's sails: they turn by a degree each thirtieth of a second, four of them, before a passage that lies 8 m to the north of its
+/// place. By 0.3 m of sail and 0.48 m of body to each side a sail is in the way for about 14 degrees before and after it hangs down: some
+/// 29 of each 90 frames.
 /// </summary>
 public sealed class WindmillTests(DemoFiles files) : IClassFixture<DemoFiles>
 {
@@ -16,7 +17,8 @@ public sealed class WindmillTests(DemoFiles files) : IClassFixture<DemoFiles>
     [Theory]
     [InlineData(0, 3.12)]
     [InlineData(300, 10.6)]
-    [Behaviour("obstacles.windmill-stops-and-lets-pass", "spec/02, 4.19: the parts of an animated static move, and what they stop moves with them; speeds 01, 6")]
+    [Behaviour("obstacles.windmill-stops-and-lets-pass",
+        "spec/02, 4.19: the parts of an animated static move, and what they stop moves with them; speeds 01, 6")]
     public void A_sail_stops_a_walker_until_it_has_passed_and_lets_others_through(int skill, double speed)
     {
         // The way leads 4 degrees east of north; a stride more is left for the first frames.

@@ -31,7 +31,9 @@ public sealed class CacheTests : IDisposable
     [Fact, Behaviour("demo-world.cache.survives-a-race", "design.md, Two commands")]
     public async Task Several_callers_at_once_get_one_whole_world()
     {
-        string[] folders = await Task.WhenAll(Enumerable.Range(0, 8).Select(_ => Task.Run(() => DemoWorldCache.GetOrCreate(seed: 77), TestContext.Current.CancellationToken)));
+        string[] folders = await Task.WhenAll(
+            Enumerable.Range(0, 8)
+                .Select(_ => Task.Run(() => DemoWorldCache.GetOrCreate(seed: 77), TestContext.Current.CancellationToken)));
         Assert.Single(folders.Distinct());
         using var dats = DatSet.Open(folders[0]);
         Assert.Equal(101, dats.IdsOf(DatRecordType.LandBlock).Count());
@@ -57,7 +59,8 @@ public sealed class CacheTests : IDisposable
     public async Task Several_writers_into_one_folder_all_succeed()
     {
         string target = Path.Combine(folder, "shared");
-        await Task.WhenAll(Enumerable.Range(0, 3).Select(_ => Task.Run(() => DemoWorldBuilder.Write(target), TestContext.Current.CancellationToken)));
+        await Task.WhenAll(
+            Enumerable.Range(0, 3).Select(_ => Task.Run(() => DemoWorldBuilder.Write(target), TestContext.Current.CancellationToken)));
         using var dats = DatSet.Open(target);
         Assert.Equal(101, dats.IdsOf(DatRecordType.LandBlock).Count());
         Assert.Equal(3, Directory.GetFiles(target).Length);

@@ -23,7 +23,8 @@ public sealed class DocsTests
     {
         string path = Path.Combine(Docs, "demo-world.md");
         string page = File.ReadAllText(path).ReplaceLineEndings("\n");
-        int start = page.IndexOf(PlacesStart, StringComparison.Ordinal) + PlacesStart.Length, end = page.IndexOf(PlacesEnd, StringComparison.Ordinal);
+        int start = page.IndexOf(PlacesStart, StringComparison.Ordinal) + PlacesStart.Length,
+            end = page.IndexOf(PlacesEnd, StringComparison.Ordinal);
         var table = new StringBuilder("| name | cell | what to try |\n| --- | --- | --- |\n");
         foreach (var place in DemoPlaces.All)
             table.Append($"| `{place.Name}` | {place.CellId:X8} | {place.WhatToTry} |\n");

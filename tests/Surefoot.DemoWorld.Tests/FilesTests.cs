@@ -66,7 +66,8 @@ public sealed class FilesTests(DemoFolder world) : IClassFixture<DemoFolder>
         {
             var setup = dats.Read<Setup>(id);
             named.UnionWith(setup.PartIds);
-            named.UnionWith(new[] { setup.DefaultAnimationId, setup.DefaultMotionTableId, setup.DefaultScriptId }.Where(other => other != 0));
+            named.UnionWith(
+                new[] { setup.DefaultAnimationId, setup.DefaultMotionTableId, setup.DefaultScriptId }.Where(other => other != 0));
         }
 
         foreach (uint id in dats.IdsOf(DatRecordType.GfxObj))

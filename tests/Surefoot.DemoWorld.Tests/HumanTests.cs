@@ -59,7 +59,11 @@ public sealed class HumanTests(DemoFolder world) : IClassFixture<DemoFolder>
     [Fact, Behaviour("demo-world.human.has-every-substate", "spec/01, 2.1")]
     public void Every_locomotion_substate_has_a_cycle_and_left_and_backward_have_none()
     {
-        foreach (uint motion in new[] { 0x41000003u, 0x45000005u, 0x44000007u, 0x40000008u, 0x40000011u, 0x40000015u, 0x41000012u, 0x41000013u, 0x41000014u })
+        uint[] motions =
+        [
+            0x41000003u, 0x45000005u, 0x44000007u, 0x40000008u, 0x40000011u, 0x40000015u, 0x41000012u, 0x41000013u, 0x41000014u,
+        ];
+        foreach (uint motion in motions)
             Assert.NotEmpty(Cycle(motion).Animations);
         foreach (uint motion in new[] { 0x45000006u, 0x6500000Eu, 0x65000010u })
             Assert.DoesNotContain(Table.Cycles.Concat(Table.Modifiers), entry => entry.Key == MotionTable.KeyOf(NonCombat, motion));
@@ -87,7 +91,8 @@ public sealed class HumanTests(DemoFolder world) : IClassFixture<DemoFolder>
     public void Poses_have_a_valid_frame_for_each_part_and_feet_stay_near_the_ground()
     {
         int parts = world.Dats.Read<Setup>(DemoIds.HumanSetup).PartIds.Length;
-        foreach (uint id in Table.Cycles.Concat(Table.Links.SelectMany(link => link.Targets)).SelectMany(entry => entry.Data.Animations).Select(play => play.AnimationId).Distinct())
+        var entries = Table.Cycles.Concat(Table.Links.SelectMany(link => link.Targets));
+        foreach (uint id in entries.SelectMany(entry => entry.Data.Animations).Select(play => play.AnimationId).Distinct())
         {
             var animation = world.Dats.Read<Animation>(id);
             Assert.Equal((uint)parts, animation.PartCount);

@@ -8,7 +8,9 @@ public sealed class MapTests
     public void The_maps_are_well_formed_and_name_every_place_of_the_land()
     {
         string[] labels = [.. new[] { DemoMap.ToSvg(), DemoMap.TownToSvg(), DemoMap.ParkToSvg() }.SelectMany(Labels)];
-        Assert.All(DemoPlaces.All.Where(place => !place.Name.StartsWith("dungeon", StringComparison.Ordinal)), place => Assert.Contains(place.Name, labels));
+        Assert.All(
+            DemoPlaces.All.Where(place => !place.Name.StartsWith("dungeon", StringComparison.Ordinal)),
+            place => Assert.Contains(place.Name, labels));
         Assert.Contains("A9B4", labels);
     }
 

@@ -29,7 +29,8 @@ public sealed class ShapesTests(DemoFolder world) : IClassFixture<DemoFolder>
             Vector3[][] faces = [.. cell.PhysicsPolygons.Select(polygon => Solids.Points(cell.Vertices, polygon))];
             Vector3[][] portals = [.. cell.PortalPolygons.Select(index => Solids.Points(cell.Vertices, cell.Polygons[index]))];
             AssertTree(cell.PhysicsTree, faces, name);
-            AssertTellsSolid(cell.PhysicsTree, [.. faces, .. portals], (leaf, air) => !air || (leaf.Solid == 0 && leaf.Polygons.IsEmpty), name);
+            AssertTellsSolid(
+                cell.PhysicsTree, [.. faces, .. portals], (leaf, air) => !air || (leaf.Solid == 0 && leaf.Polygons.IsEmpty), name);
         }
     }
 
@@ -97,7 +98,9 @@ public sealed class ShapesTests(DemoFolder world) : IClassFixture<DemoFolder>
             Assert.False(world.Dats.Cell.TryGetEntry(block + 0x100 + info.CellCount, out _));
             foreach (var portal in info.Buildings.SelectMany(building => building.Portals))
                 Assert.True(world.Dats.Read<EnvCell>(block | portal.OtherCell).Portals[portal.OtherPortal].IsOutside);
-            Assert.Equal(info.Buildings.Length, info.Buildings.Select(building => ((int)(building.Frame.Origin.X / 24), (int)(building.Frame.Origin.Y / 24))).Distinct().Count());
+            Assert.Equal(
+                info.Buildings.Length, info.Buildings.Select(
+                    building => ((int)(building.Frame.Origin.X / 24), (int)(building.Frame.Origin.Y / 24))).Distinct().Count());
         }
     }
 
@@ -109,13 +112,15 @@ public sealed class ShapesTests(DemoFolder world) : IClassFixture<DemoFolder>
             uint block = place.CellId & 0xFFFF0000;
             if (!world.Dats.TryRead<LandBlockInfo>(block | 0xFFFE, out var info))
                 continue;
-            var things = info.Objects.Select(thing => (thing.ObjectId, thing.Frame)).Concat(info.Buildings.Select(building => (ObjectId: building.ModelId, building.Frame)));
+            var things = info.Objects.Select(thing => (thing.ObjectId, thing.Frame))
+                .Concat(info.Buildings.Select(building => (ObjectId: building.ModelId, building.Frame)));
             foreach (var (shapeId, frame) in things.SelectMany(thing => PartsOf(thing.ObjectId).Select(part => (part, thing.Frame))))
             {
                 var shape = world.Dats.Read<GfxObj>(shapeId);
                 Vector3[][] faces = [.. shape.PhysicsPolygons.Select(polygon => Solids.Points(shape.Vertices, polygon))];
                 foreach (var point in BodyPoints(place.Origin))
-                    Assert.False(Solids.Contains(faces, Vector3.Transform(point - frame.Origin, Quaternion.Conjugate(frame.Rotation))), $"{place.Name} is inside 0x{shapeId:X8}");
+                    Assert.False(Solids.Contains(faces, Vector3.Transform(point - frame.Origin, Quaternion.Conjugate(frame.Rotation))),
+                        $"{place.Name} is inside 0x{shapeId:X8}");
             }
         }
     }
@@ -201,7 +206,8 @@ public sealed class ShapesTests(DemoFolder world) : IClassFixture<DemoFolder>
         => world.Dats.IdsOf(DatRecordType.GfxObj).Select(id => world.Dats.Read<GfxObj>(id)).Where(shape => shape.PhysicsTree is not null);
 
     private IEnumerable<(CellStruct Cell, string Name)> Rooms()
-        => world.Dats.IdsOf(DatRecordType.Environment).SelectMany(id => world.Dats.Read<CellEnvironment>(id).Cells.Select(cell => (cell, $"0x{id:X8} room {cell.Key}")));
+        => world.Dats.IdsOf(DatRecordType.Environment)
+            .SelectMany(id => world.Dats.Read<CellEnvironment>(id).Cells.Select(cell => (cell, $"0x{id:X8} room {cell.Key}")));
 
     private Vector3[] Corners(EnvCell cell, ushort polygon)
     {

@@ -9,7 +9,9 @@ using Surefoot.Workbench.Tests.Support;
 
 namespace Surefoot.Workbench.Tests;
 
-/// <summary>The page in a real browser on a real server. Times are the server's, so a slow machine changes how often something is drawn, not what.</summary>
+/// <summary>
+/// The page in a real browser on a real server. Times are the server's, so a slow machine changes how often something is drawn, not what.
+/// </summary>
 [Collection(BrowserCollection.Name)]
 public sealed class BrowserTests(Browser browser)
 {
@@ -36,7 +38,9 @@ public sealed class BrowserTests(Browser browser)
         Assert.Empty(tab.Complaints);
     }
 
-    /// <summary>What is drawn at a time or later, of a moment whose pose has arrived: a page that waits for its server draws the last pose it has.</summary>
+    /// <summary>
+    /// What is drawn at a time or later, of a moment whose pose has arrived: a page that waits for its server draws the last pose it has.
+    /// </summary>
     private static async Task<JsonElement> DrawnAfter(Tab tab, double time)
     {
         const string Drawn = "Object.assign({}, window.surefoot.drawn, { late: window.surefoot.drawn.at > window.surefoot.pose.time })";
@@ -95,20 +99,22 @@ public sealed class BrowserTests(Browser browser)
         JsonElement samples = await Sample(tab, 40);
         await tab.Page.Keyboard.UpAsync("w");
         uint player = (uint)await tab.Number("window.surefoot.player");
-        PlayerPose[] poses = [.. browser.Published.Where(one => one.Key.Player == player).Select(one => one.Value).OrderBy(pose => pose.Time)];
+        PlayerPose[] poses =
+            [.. browser.Published.Where(one => one.Key.Player == player).Select(one => one.Value).OrderBy(pose => pose.Time)];
         int between = 0;
         foreach (JsonElement drawn in samples.EnumerateArray())
         {
             double at = drawn.GetProperty("at").GetDouble();
             // A busy machine delivers some poses late; what is drawn meanwhile is a guess, and says so.
-            if (drawn.GetProperty("late").GetBoolean() || poses[0].Time > at - (SmoothOver / 2) || poses[^1].Time < at + (SmoothOver / 2)) continue;
+            if (drawn.GetProperty("late").GetBoolean() || poses[0].Time > at - (SmoothOver / 2) || poses[^1].Time < at + (SmoothOver / 2))
+                continue;
             (double x, double y) = MeanOverWindow(poses, at);
             double off = Math.Sqrt(Math.Pow(x - Coordinate(drawn, "x"), 2) + Math.Pow(y - Coordinate(drawn, "y"), 2));
             Assert.True(off < 0.05, $"The player is drawn {off:F3} m off the path at {at:F3} s");
             if (!Array.Exists(poses, pose => Math.Abs(pose.Time - at) < 0.002)) between++;
         }
 
-        Assert.True(between > 3, $"Only {between} of the frames were drawn between two steps");
+        Assert.True(between > 3, $"Only {between} of the frames were drawn between two ticks");
     }
 
     [Fact]
@@ -200,7 +206,10 @@ public sealed class BrowserTests(Browser browser)
         JsonElement places = await tab.Read("window.surefoot.places");
         Assert.True(places.GetArrayLength() > 1);
         await tab.GoTo(places[1].GetProperty("name").GetString()!);
-        await tab.Until("Math.hypot(window.surefoot.pose.position.x - window.surefoot.places[1].x, window.surefoot.pose.position.y - window.surefoot.places[1].y) < 1", "the player is at the place");
+        await tab.Until(
+            "Math.hypot(window.surefoot.pose.position.x - window.surefoot.places[1].x, " +
+            "window.surefoot.pose.position.y - window.surefoot.places[1].y) < 1",
+            "the player is at the place");
         await tab.Until("window.surefoot.blocks > 8", "the land around is drawn");
         Assert.Empty(tab.Complaints);
     }
@@ -221,7 +230,8 @@ public sealed class BrowserTests(Browser browser)
             () => {
               const view = document.getElementById("view");
               const pointer = [...Array(10).keys()].find((id) => view.hasPointerCapture(id));
-              for (let i = 0; i < 10; i++) view.dispatchEvent(new PointerEvent("pointermove", { pointerId: pointer, buttons: 2, movementX: 10 }));
+              const moved = { pointerId: pointer, buttons: 2, movementX: 10 };
+              for (let i = 0; i < 10; i++) view.dispatchEvent(new PointerEvent("pointermove", moved));
             }
             """);
         await tab.Until($"window.surefoot.pose.yaw < {Text(yaw - 0.05)}", "the pointer to the right turns right");
@@ -286,7 +296,9 @@ public sealed class BrowserTests(Browser browser)
         await using Tab one = await browser.OpenAsync();
         Tab two = await browser.OpenAsync();
         uint id = (uint)await two.Number("window.surefoot.player");
-        await one.Until($"window.surefoot.others.some(other => other.player === {id} && other.position !== null)", "the first tab draws the second's player");
+        await one.Until(
+            $"window.surefoot.others.some(other => other.player === {id} && other.position !== null)",
+            "the first tab draws the second's player");
         JsonElement here = await one.Read("window.surefoot.drawn"), there = await two.Read("window.surefoot.drawn");
         Assert.InRange(Flat(here, there), 0.96, 2.5);
         await two.DisposeAsync();
@@ -296,24 +308,28 @@ public sealed class BrowserTests(Browser browser)
 
     private async Task ComparePanel(Tab tab)
     {
-        JsonElement both = await tab.Read("({ panel: window.surefoot.panel, step: window.surefoot.pose.step, player: window.surefoot.player })");
+        JsonElement both =
+            await tab.Read("({ panel: window.surefoot.panel, tick: window.surefoot.pose.tick, player: window.surefoot.player })");
         JsonElement panel = both.GetProperty("panel");
-        PlayerPose pose = browser.Published[(both.GetProperty("player").GetUInt32(), both.GetProperty("step").GetUInt32())];
-        Assert.Equal(both.GetProperty("step").GetRawText(), Field("step"));
+        PlayerPose pose = browser.Published[(both.GetProperty("player").GetUInt32(), both.GetProperty("tick").GetUInt32())];
+        Assert.Equal(both.GetProperty("tick").GetRawText(), Field("tick"));
         Assert.Equal($"0x{pose.CellId:X8}", Field("cell"));
         AssertNumbers(0.006, Field("position"), pose.Position.X, pose.Position.Y, pose.Position.Z);
         AssertNumbers(0.006, Field("speed").Replace("m/s", "", StringComparison.Ordinal), pose.Speed);
         AssertNumbers(0.06, Field("quantum").Replace("ms", "", StringComparison.Ordinal), pose.Quantum * 1000);
         Assert.Equal(pose.Flags.HasFlag(PoseFlags.OnWalkable) ? "yes" : "no", Field("walkable"));
         Assert.True(pose.Flags.HasFlag(PoseFlags.Contact));
-        AssertNumbers(0.0006, Field("plane"), pose.ContactPlane.Normal.X, pose.ContactPlane.Normal.Y, pose.ContactPlane.Normal.Z, pose.ContactPlane.D);
+        AssertNumbers(0.0006, Field("plane"), pose.ContactPlane.Normal.X, pose.ContactPlane.Normal.Y, pose.ContactPlane.Normal.Z,
+            pose.ContactPlane.D);
 
         string Field(string name) => panel.GetProperty(name).GetString()!;
     }
 
     private static void AssertNumbers(double tolerance, string shown, params double[] expected)
     {
-        double[] numbers = [.. shown.Split((char[])[' ', '\n'], StringSplitOptions.RemoveEmptyEntries).Select(one => double.Parse(one, CultureInfo.InvariantCulture))];
+        double[] numbers = [
+            .. shown.Split((char[])[' ', '\n'],
+                StringSplitOptions.RemoveEmptyEntries).Select(one => double.Parse(one, CultureInfo.InvariantCulture))];
         Assert.Equal(expected.Length, numbers.Length);
         for (int i = 0; i < expected.Length; i++) Assert.Equal(expected[i], numbers[i], tolerance);
     }

@@ -43,9 +43,11 @@ public sealed class ConnectionTests
         {
         }
 
-        public override Task CloseAsync(WebSocketCloseStatus status, string? description, CancellationToken cancellation) => Task.CompletedTask;
+        public override Task CloseAsync(WebSocketCloseStatus status, string? description, CancellationToken cancellation) =>
+            Task.CompletedTask;
 
-        public override Task CloseOutputAsync(WebSocketCloseStatus status, string? description, CancellationToken cancellation) => Task.CompletedTask;
+        public override Task CloseOutputAsync(WebSocketCloseStatus status, string? description, CancellationToken cancellation) =>
+            Task.CompletedTask;
 
         public override void Dispose()
         {

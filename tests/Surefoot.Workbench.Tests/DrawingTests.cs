@@ -57,7 +57,8 @@ public sealed class DrawingTests(Browser browser)
         await tab.Until("window.surefoot.shapes > 0", "the house is drawn");
         Pixel[] picture = await Picture(tab);
         // The doorway is straight ahead, over the player's head; the wall begins a man's width beside it.
-        double doorway = Mean(picture, 0.48, 0.52, 0.39, 0.44), left = Mean(picture, 0.33, 0.43, 0.39, 0.44), right = Mean(picture, 0.57, 0.67, 0.39, 0.44);
+        double doorway = Mean(picture, 0.48, 0.52, 0.39, 0.44), left = Mean(picture, 0.33, 0.43, 0.39, 0.44),
+            right = Mean(picture, 0.57, 0.67, 0.39, 0.44);
         Assert.True(doorway < 0.55 * left && doorway < 0.55 * right, $"doorway {doorway:F0}, walls {left:F0} and {right:F0}");
     }
 
@@ -69,7 +70,8 @@ public sealed class DrawingTests(Browser browser)
     {
         await using Tab tab = await browser.OpenAsync($"?off=panels&at={Uri.EscapeDataString(place)}");
         await tab.Until("window.surefoot.shapes > 0", "the room is drawn");
-        JsonElement rows = await tab.Read("window.surefoot.picture(480, 270).map((row) => row.map(([red, green, blue]) => red + green + blue))");
+        JsonElement rows =
+            await tab.Read("window.surefoot.picture(480, 270).map((row) => row.map(([red, green, blue]) => red + green + blue))");
         Assert.True(Edges(Column(rows, 60)) > 6, "joints along a column of wall and floor at the left");
         Assert.True(Edges(Column(rows, 420)) > 6, "and at the right");
         Assert.True(Edges([.. rows[255].EnumerateArray().Select(one => one.GetInt32())]) > 4, "joints along a row of the floor");
@@ -83,15 +85,20 @@ public sealed class DrawingTests(Browser browser)
         await using Tab tab = await browser.OpenAsync("?off=panels");
         double zoom = await tab.Number("window.surefoot.camera.zoom");
         await tab.GoTo("A slope of 45 degrees");
-        await tab.Until("Math.abs(window.surefoot.camera.orbit - 1.22) < 0.01 && window.surefoot.camera.away > 12", "the camera is beside the player");
+        await tab.Until("Math.abs(window.surefoot.camera.orbit - 1.22) < 0.01 && window.surefoot.camera.away > 12",
+            "the camera is beside the player");
         await tab.Until("window.surefoot.blocks > 20", "the land around is drawn");
         Pixel[] picture = await Picture(tab);
-        int left = picture.Where((_, i) => i % Width < Width / 4).Count(IsBlue), right = picture.Where((_, i) => i % Width >= Width * 3 / 4).Count(IsBlue);
-        Assert.True(left > 100 && right < left / 2, $"the sky shows over the level ground at the left ({left}), the slope rises at the right ({right})");
+        int left = picture.Where((_, i) => i % Width < Width / 4).Count(IsBlue),
+            right = picture.Where((_, i) => i % Width >= Width * 3 / 4).Count(IsBlue);
+        Assert.True(left > 100 && right < left / 2,
+            $"the sky shows over the level ground at the left ({left}), the slope rises at the right ({right})");
         double yaw = await tab.Number("window.surefoot.pose.yaw");
         Assert.Equal(0, yaw, 0.001);
         await tab.GoTo("The meadow");
-        await tab.Until($"window.surefoot.camera.orbit === 0 && window.surefoot.camera.zoom === {zoom.ToString(CultureInfo.InvariantCulture)}", "the camera is behind the player again");
+        await tab.Until(
+            $"window.surefoot.camera.orbit === 0 && window.surefoot.camera.zoom === {zoom.ToString(CultureInfo.InvariantCulture)}",
+            "the camera is behind the player again");
     }
 
     /// <summary>Sky, lake and sea.</summary>
@@ -100,11 +107,17 @@ public sealed class DrawingTests(Browser browser)
     private static async Task<Pixel[]> Picture(Tab tab)
     {
         JsonElement rows = await tab.Read($"window.surefoot.picture({Width}, {Height})");
-        return [.. rows.EnumerateArray().SelectMany(row => row.EnumerateArray().Select(one => new Pixel(one[0].GetInt32(), one[1].GetInt32(), one[2].GetInt32())))];
+        return [
+            .. rows.EnumerateArray()
+                .SelectMany(row => row.EnumerateArray().Select(one => new Pixel(one[0].GetInt32(), one[1].GetInt32(), one[2].GetInt32())))];
     }
 
     private static double Mean(Pixel[] picture, double fromX, double toX, double fromY, double toY) =>
-        picture.Where((_, i) => i % Width >= fromX * Width && i % Width < toX * Width && i / Width >= fromY * Height && i / Width < toY * Height).Average(pixel => pixel.Light);
+        picture.Where(
+            (_, i) =>
+                i % Width >= fromX * Width && i % Width < toX * Width && i / Width >= fromY * Height &&
+                    i / Width < toY * Height).Average(pixel =>
+                    pixel.Light);
 
     private static int[] Column(JsonElement rows, int x) => [.. rows.EnumerateArray().Select(row => row[x].GetInt32())];
 

@@ -10,17 +10,23 @@ namespace Surefoot.Workbench.Tests;
 public sealed class FrameTests
 {
     private const int Places = 300;
-    private static readonly JsonElement Samples = JsonDocument.Parse(File.ReadAllText(Path.Combine(AppContext.BaseDirectory, "wire.samples.json"))).RootElement;
+    private static readonly JsonElement Samples = JsonDocument.Parse(
+        File.ReadAllText(Path.Combine(AppContext.BaseDirectory, "wire.samples.json"))).RootElement;
 
     private static readonly PlayerPose SamplePose = new(
-        12.5, 0xA9B40025, new Vector3(100, -1.5f, 20), 1, new Vector3(3, -4, 2), 5, PoseFlags.Contact | PoseFlags.OnWalkable | PoseFlags.Charging,
+        12.5, 0xA9B40025, new Vector3(100, -1.5f, 20), 1, new Vector3(3, -4, 2), 5,
+        PoseFlags.Contact | PoseFlags.OnWalkable | PoseFlags.Charging,
         new Plane(0, 0.5f, 0.75f, -20), 0.125f, 0.0625f, 2.5f, 0x44000007, 2.5f, -0.5f, -1.5f, 5);
 
     private static readonly BodyPose[] SampleBodies =
     [
-        new(0x80000001, BodyKind.Wanderer, BodyFlags.Airborne, "creature", 0xA9B40025, new Vector3(100, -1.5f, 20), 1, new Vector3(3, -4, 2), 1.5f,
+        new(
+            0x80000001, BodyKind.Wanderer, BodyFlags.Airborne, "creature", 0xA9B40025, new Vector3(100, -1.5f, 20), 1,
+            new Vector3(3, -4, 2), 1.5f,
             new Vector3(0.5f, 0.75f, 2)),
-        new(0x80000002, BodyKind.Door, BodyFlags.Open | BodyFlags.WaitsToClose, "door", 0xA8B50034, new Vector3(1, 2, 3), -0.5f, Vector3.Zero, 1,
+        new(
+            0x80000002, BodyKind.Door, BodyFlags.Open | BodyFlags.WaitsToClose, "door", 0xA8B50034, new Vector3(1, 2, 3), -0.5f,
+            Vector3.Zero, 1,
             new Vector3(1.25f, 0.125f, 2.25f)),
     ];
 
@@ -56,9 +62,13 @@ public sealed class FrameTests
         Assert.Equal(Bytes("event"), ServerFrames.Event(new PlayerEvent(PlayerEventKind.JumpRefused, 12.5, 2, 73)));
         Assert.Equal(Bytes("bodies"), ServerFrames.Bodies(12.5, SampleBodies));
         Assert.Equal(
-            Bytes("moving"), ServerFrames.Moving(12.5, [new MovingPart(0xA8B5, 3, 2, new Vector3(100, -1.5f, 20), new Quaternion(0, 0.5f, -0.5f, 0.75f), 1.5f)]));
+            Bytes("moving"),
+            ServerFrames.Moving(12.5,
+                [new MovingPart(0xA8B5, 3, 2, new Vector3(100, -1.5f, 20), new Quaternion(0, 0.5f, -0.5f, 0.75f), 1.5f)]));
         Assert.Equal(Bytes("touches"), ServerFrames.Touches(
-            [new Touch(true, TouchKind.Room, 0xA8B50100, Vector3.UnitZ, ""), new Touch(false, TouchKind.Body, 0x80000001, new Vector3(0.5f, -0.25f, 0), "creature")]));
+            [
+                new Touch(true, TouchKind.Room, 0xA8B50100, Vector3.UnitZ, ""),
+                new Touch(false, TouchKind.Body, 0x80000001, new Vector3(0.5f, -0.25f, 0), "creature")]));
     }
 
     [Theory]
@@ -102,7 +112,8 @@ public sealed class FrameTests
             {
                 if (bytes.Length > 0) bytes[0] &= 15;
                 if (!ClientFrame.TryParse(bytes, Places, out ClientFrame frame)) return true;
-                return bytes.Length <= WireLimits.LongestClientFrame && Math.Abs(frame.Right) <= WireLimits.MaxPointerMove && frame.Place is >= 0 and < Places
+                return bytes.Length <= WireLimits.LongestClientFrame && Math.Abs(frame.Right) <= WireLimits.MaxPointerMove &&
+                    frame.Place is >= 0 and < Places
                     && float.IsFinite(frame.Position.X + frame.Position.Y + frame.Yaw) && !float.IsInfinity(frame.Position.Z)
                     && frame.Settings is { RunSkill: >= 0 and <= WireLimits.MaxSkill, JumpSkill: >= 0 and <= WireLimits.MaxSkill }
                     && frame.Settings.Burden >= 0 && frame.Settings.Burden <= WireLimits.MaxBurden;

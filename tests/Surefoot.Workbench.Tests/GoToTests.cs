@@ -20,7 +20,10 @@ public sealed class GoToTests(Browser browser)
         await page.Keyboard.TypeAsync("0xA9B5001D, 84.5, 97.25, 20");
         await Assertions.Expect(page.GetByRole(AriaRole.Option)).ToContainTextAsync("Go to 0xA9B5001D, 84.5, 97.25, 20");
         await page.Keyboard.PressAsync("Enter");
-        await tab.Until("window.surefoot.pose.cell === 0xA9B5001D && Math.hypot(window.surefoot.pose.position.x - 84.5, window.surefoot.pose.position.y - 97.25) < 0.01", "the player is there");
+        await tab.Until(
+            "window.surefoot.pose.cell === 0xA9B5001D && " +
+            "Math.hypot(window.surefoot.pose.position.x - 84.5, window.surefoot.pose.position.y - 97.25) < 0.01",
+            "the player is there");
         Assert.True((await tab.Read("window.surefoot.playing")).GetBoolean());
 
         await page.Keyboard.PressAsync("g");
@@ -48,16 +51,21 @@ public sealed class GoToTests(Browser browser)
         await Assertions.Expect(options.First).ToHaveAttributeAsync("aria-selected", "true");
         await page.Keyboard.PressAsync("ArrowDown");
         await Assertions.Expect(options.Nth(1)).ToHaveAttributeAsync("aria-selected", "true");
-        Assert.Equal(await options.Nth(1).GetAttributeAsync("id"), await page.Locator("#goto-box").GetAttributeAsync("aria-activedescendant"));
+        Assert.Equal(await options.Nth(1).GetAttributeAsync("id"),
+            await page.Locator("#goto-box").GetAttributeAsync("aria-activedescendant"));
         await page.Keyboard.PressAsync("ArrowUp");
         await page.Keyboard.PressAsync("Enter");
-        await tab.Until("window.surefoot.pose.cell === window.surefoot.places.find((one) => one.name === 'The lake shore').cell", "the player is at the lake");
+        await tab.Until(
+            "window.surefoot.pose.cell === window.surefoot.places.find((one) => one.name === 'The lake shore').cell",
+            "the player is at the lake");
         await Assertions.Expect(page.Locator("#toasts")).ToContainTextAsync("Wade in");
 
         await page.Keyboard.PressAsync("g");
         await page.Keyboard.TypeAsync("guard");
         await options.Filter(new() { HasText = "Two guards" }).ClickAsync();
-        await tab.Until("window.surefoot.pose.cell === window.surefoot.places.find((one) => one.name === 'Two guards').cell", "the player is with the guards");
+        await tab.Until(
+            "window.surefoot.pose.cell === window.surefoot.places.find((one) => one.name === 'Two guards').cell",
+            "the player is with the guards");
         Assert.True((await tab.Read("window.surefoot.playing")).GetBoolean());
 
         await page.Keyboard.PressAsync("g");

@@ -16,7 +16,9 @@ public sealed class InhabitedPageTests(Browser browser)
     {
         await using Tab tab = await browser.OpenAsync();
         await tab.GoTo("A crowd of a hundred");
-        await tab.Until($"window.surefoot.bodies.filter((one) => one.type === {(int)BodyKind.Crowd}).length === 100", "the page is told of a hundred people");
+        await tab.Until(
+            $"window.surefoot.bodies.filter((one) => one.type === {(int)BodyKind.Crowd}).length === 100",
+            "the page is told of a hundred people");
         await tab.Until("window.surefoot.drawnThings.crowd === 100", "they are drawn");
         await tab.GoTo("Creatures at pasture");
         string creatures = $"window.surefoot.bodies.filter((one) => one.type === {(int)BodyKind.Wanderer})";
@@ -24,7 +26,8 @@ public sealed class InhabitedPageTests(Browser browser)
         await tab.Until($"{creatures}.some((one) => Math.hypot(one.velocity.x, one.velocity.y) > 0.5)", "one of them walks");
         await tab.Until("window.surefoot.drawnThings.plants > 0", "trees are drawn as trees");
         await tab.Page.Keyboard.PressAsync("v");
-        await tab.Until("window.surefoot.plainShapes && window.surefoot.drawnThings.plants === 0", "V shows their collision shapes instead");
+        await tab.Until("window.surefoot.plainShapes && window.surefoot.drawnThings.plants === 0",
+            "V shows their collision shapes instead");
         Assert.Empty(tab.Complaints);
     }
 
@@ -35,9 +38,12 @@ public sealed class InhabitedPageTests(Browser browser)
         await using Tab tab = await browser.OpenAsync();
         await tab.GoTo("The windmill");
         await tab.Until("window.surefoot.moving.length === 2", "tower and sails are drawn");
-        const string sails = "window.surefoot.moving.find((one) => one.part === 1).rotation", tower = "window.surefoot.moving.find((one) => one.part === 0).rotation";
+        const string sails =
+            "window.surefoot.moving.find((one) => one.part === 1).rotation", tower =
+                "window.surefoot.moving.find((one) => one.part === 0).rotation";
         double before = await tab.Number($"{sails}[1]");
-        await tab.Until($"Math.abs({sails}[1] - {before.ToString(CultureInfo.InvariantCulture)}) > 0.1", "the sails have turned about the mill's own y");
+        await tab.Until($"Math.abs({sails}[1] - {before.ToString(CultureInfo.InvariantCulture)}) > 0.1",
+            "the sails have turned about the mill's own y");
         Assert.Equal(0, await tab.Number($"{sails}[0]"));
         Assert.Equal(0, await tab.Number($"{sails}[2]"));
         Assert.Equal(1, await tab.Number($"{tower}[3]"));
@@ -77,10 +83,14 @@ public sealed class InhabitedPageTests(Browser browser)
         string cell = (await tab.Read("window.surefoot.panel.cell")).GetString()!;
         await tab.Until($"window.surefoot.panel.touches === 'room {cell} 90°'", "the panel names the room's wall");
         await tab.Page.Keyboard.UpAsync("q");
-        Assert.StartsWith($"room {cell}\nslope 0.0", (await tab.Read("window.surefoot.panel.footing")).GetString(), StringComparison.Ordinal);
+        Assert.StartsWith($"room {cell}\nslope 0.0", (await tab.Read("window.surefoot.panel.footing")).GetString(),
+            StringComparison.Ordinal);
 
         // Beside the doorway the front wall is between the camera and the player.
-        await tab.Until("window.surefoot.pose.speed < 0.01 && Math.abs((window.surefoot.drawn.position.x % 192) - window.surefoot.pose.position.x) < 0.05", "the player is drawn at the wall");
+        await tab.Until(
+            "window.surefoot.pose.speed < 0.01 && " +
+            "Math.abs((window.surefoot.drawn.position.x % 192) - window.surefoot.pose.position.x) < 0.05",
+            "the player is drawn at the wall");
         Assert.Equal(0, await tab.Number("window.surefoot.seen(false)"));
         Assert.True(await tab.Number("window.surefoot.seen(true)") > 1000);
         Assert.Empty(tab.Complaints);
@@ -105,7 +115,8 @@ public sealed class InhabitedPageTests(Browser browser)
         await tab.Until("window.surefoot.cut.opens === 2", "the house that the camera is in is opened");
         // Half-size pixels double what the page takes a turn of the wheel for.
         await tab.Page.Mouse.WheelAsync(0, 450);
-        await tab.Until("window.surefoot.camera.zoom > 20 && window.surefoot.camera.away > 20 && window.surefoot.cut.opens === 0", "the camera is beyond the house");
+        await tab.Until("window.surefoot.camera.zoom > 20 && window.surefoot.camera.away > 20 && window.surefoot.cut.opens === 0",
+            "the camera is beyond the house");
         Assert.Equal(0, await tab.Number("window.surefoot.seen(false)"));
         Assert.True(await tab.Number("window.surefoot.seen(true)") > 10);
     }
@@ -116,11 +127,13 @@ public sealed class InhabitedPageTests(Browser browser)
     {
         WorkbenchPlace before = KnownPlaces.Demo().Single(place => place.Name == "A pile of crates");
         Vector3 above = before.Position + new Vector3(-0.3f, 5, 1.5f);
-        await using WorkbenchServer crates = await WorkbenchServer.StartAsync(new WorkbenchOptions { Port = 0, Places = [before with { Position = above }] });
+        await using WorkbenchServer crates =
+            await WorkbenchServer.StartAsync(new WorkbenchOptions { Port = 0, Places = [before with { Position = above }] });
         await using Tab tab = await browser.OpenAsync(crates);
         await tab.Until("window.surefoot.touches.some((one) => one.footing)", "the player has landed");
         Assert.Equal((int)TouchKind.Object, await tab.Number("window.surefoot.touches.find((one) => one.footing).type"));
         uint id = (uint)await tab.Number("window.surefoot.touches.find((one) => one.footing).id");
-        await tab.Until($"window.surefoot.panel.footing === 'object 0x{id.ToString("X8", CultureInfo.InvariantCulture)}\\nslope 0.0°'", "the panel names the crate and its slope");
+        await tab.Until($"window.surefoot.panel.footing === 'object 0x{id.ToString("X8", CultureInfo.InvariantCulture)}\\nslope 0.0°'",
+            "the panel names the crate and its slope");
     }
 }

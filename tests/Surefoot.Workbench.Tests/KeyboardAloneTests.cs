@@ -28,8 +28,8 @@ public sealed class KeyboardAloneTests(Browser browser)
         Assert.Equal("1000", await Value(page));
         await tab.Until("window.surefoot.pose.runRate === 4.5", "the server knows the skill");
         foreach (string key in new[] { "w", "d", "Space", "r", "t" }) await page.Keyboard.PressAsync(key, new() { Delay = 60 });
-        double step = await tab.Number("window.surefoot.pose.step");
-        await tab.Until($"window.surefoot.pose.step > {step + 5}", "steps go by");
+        double tick = await tab.Number("window.surefoot.pose.tick");
+        await tab.Until($"window.surefoot.pose.tick > {tick + 5}", "ticks go by");
         Assert.Equal(0, await tab.Number("window.surefoot.pose.speed"));
         Assert.Equal(yaw, await tab.Number("window.surefoot.pose.yaw"), 1e-6);
         Assert.Equal(0, await tab.Number("window.surefoot.events.filter((one) => one.event === 1).length"));
@@ -87,7 +87,8 @@ public sealed class KeyboardAloneTests(Browser browser)
         IPage page = tab.Page;
         await tab.Until("window.surefoot.notice !== ''", "the page shows a line that can be put away");
         string[] controls = [.. (await tab.Read(
-            "[...document.querySelectorAll('button, input, select, summary, [tabindex]')].filter((one) => one.checkVisibility() && one.tabIndex >= 0).map((one) => one.id || one.parentElement.id)"))
+            "[...document.querySelectorAll('button, input, select, summary, [tabindex]')]" +
+            ".filter((one) => one.checkVisibility() && one.tabIndex >= 0).map((one) => one.id || one.parentElement.id)"))
             .EnumerateArray().Select(one => one.GetString()!)];
         Assert.Contains("world", controls);
         Assert.Contains("goto-box", controls);
@@ -107,15 +108,18 @@ public sealed class KeyboardAloneTests(Browser browser)
             string id = one.GetProperty("id").GetString()!;
             if (id is "" or "world") continue;
             reached.Add(id);
-            Assert.True(one.GetProperty("outline").GetString() == "solid" && one.GetProperty("width").GetDouble() >= 2, $"{id} shows no focus");
+            Assert.True(one.GetProperty("outline").GetString() == "solid" && one.GetProperty("width").GetDouble() >= 2,
+                $"{id} shows no focus");
         }
 
         Assert.Empty(controls.Where(id => id != "world").Except(reached));
         string tree = await page.Locator("body").AriaSnapshotAsync();
         foreach (string expected in new[]
         {
-            "- application \"The world, seen from behind your player\"", "- combobox \"Go to\"", "- group \"What is shown\"", "- button \"Mouse turning\" [pressed]",
-            "- button \"Physics\" [expanded]", "- slider \"Run skill\"", "- slider \"Jump skill\"", "- slider \"Burden\"", "- button \"Put this line away\"", "- heading \"Surefoot\"",
+            "- application \"The world, seen from behind your player\"", "- combobox \"Go to\"", "- group \"What is shown\"",
+            "- button \"Mouse turning\" [pressed]",
+            "- button \"Physics\" [expanded]", "- slider \"Run skill\"", "- slider \"Jump skill\"", "- slider \"Burden\"",
+            "- button \"Put this line away\"", "- heading \"Surefoot\"",
         })
             Assert.Contains(expected, tree, StringComparison.Ordinal);
         Assert.DoesNotContain("- button\n", tree, StringComparison.Ordinal);
@@ -219,12 +223,13 @@ public sealed class KeyboardAloneTests(Browser browser)
         JsonElement seen = await tab.Read("window.contrasts()");
         Assert.True(seen.GetArrayLength() > 5, $"{when}: there is text");
         foreach (JsonElement one in seen.EnumerateArray())
-            Assert.True(one.GetProperty("ratio").GetDouble() >= 4.5, $"{when}: {one.GetProperty("text")} has a contrast of {one.GetProperty("ratio")}");
+            Assert.True(one.GetProperty("ratio").GetDouble() >= 4.5,
+                $"{when}: {one.GetProperty("text")} has a contrast of {one.GetProperty("ratio")}");
     }
 
     /// <summary>
-    /// The least contrast of each piece of text that shows, over a white, a grey and a black picture: its colour against all grounds behind it, as the
-    /// browser would lay them over each other. A gradient counts with each of its colours.
+    /// The least contrast of each piece of text that shows, over a white, a grey and a black picture: its colour against all grounds behind
+    /// it, as the browser would lay them over each other. A gradient counts with each of its colours.
     /// </summary>
     private const string Contrast =
         """
@@ -263,10 +268,12 @@ public sealed class KeyboardAloneTests(Browser browser)
             };
             while (walk.nextNode()) {
               const { parentElement: element, data } = walk.currentNode;
-              if (data.trim() === "" || !element.checkVisibility({ checkOpacity: false, checkVisibilityCSS: true }) || element.closest(".unseen, script")) continue;
+              const visible = element.checkVisibility({ checkOpacity: false, checkVisibilityCSS: true });
+              if (data.trim() === "" || !visible || element.closest(".unseen, script")) continue;
               measure(element, data.trim(), getComputedStyle(element).color);
             }
-            for (const box of document.querySelectorAll("input[placeholder]")) measure(box, box.placeholder, getComputedStyle(box, "::placeholder").color);
+            for (const box of document.querySelectorAll("input[placeholder]"))
+              measure(box, box.placeholder, getComputedStyle(box, "::placeholder").color);
             return found;
           };
         }

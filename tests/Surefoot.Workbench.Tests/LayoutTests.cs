@@ -32,7 +32,13 @@ public sealed class LayoutTests(Browser browser)
     {
         await using Tab tab = await browser.OpenAsync(
             "?run=-1&on=triangles",
-            new BrowserNewPageOptions { ViewportSize = new() { Width = width, Height = height }, DeviceScaleFactor = scale, HasTouch = touch, IsMobile = touch });
+            new BrowserNewPageOptions
+            {
+                ViewportSize = new() { Width = width, Height = height },
+                DeviceScaleFactor = scale,
+                HasTouch = touch,
+                IsMobile = touch,
+            });
         IPage page = tab.Page;
         await tab.Until("window.surefoot.notice !== ''", "the page shows a line that can be put away");
         await AssertFits(tab, $"{window}, at first");
@@ -57,7 +63,8 @@ public sealed class LayoutTests(Browser browser)
         await page.Keyboard.PressAsync("h");
         JsonElement help = await tab.Read("document.getElementById('help').getBoundingClientRect()");
         Assert.True(
-            help.GetProperty("left").GetDouble() >= 0 && help.GetProperty("top").GetDouble() >= 0 && help.GetProperty("right").GetDouble() <= width
+            help.GetProperty("left").GetDouble() >= 0 && help.GetProperty("top").GetDouble() >= 0 &&
+            help.GetProperty("right").GetDouble() <= width
                 && help.GetProperty("bottom").GetDouble() <= height,
             $"{window}: the help fits");
         await page.EvaluateAsync("() => { document.querySelector('#help .body').id = 'help-body'; }");
@@ -70,7 +77,8 @@ public sealed class LayoutTests(Browser browser)
     {
         await using Tab tab = await browser.OpenAsync(
             options: new BrowserNewPageOptions { ViewportSize = new() { Width = 640, Height = 360 }, HasTouch = true, IsMobile = true });
-        LocatorBoundingBoxResult pad = (await tab.Page.Locator("#pad").BoundingBoxAsync())!, jump = (await tab.Page.Locator("#jump").BoundingBoxAsync())!;
+        LocatorBoundingBoxResult pad = (await tab.Page.Locator("#pad").BoundingBoxAsync())!,
+            jump = (await tab.Page.Locator("#jump").BoundingBoxAsync())!;
         (double x, double y) = (pad.X + (pad.Width / 2), pad.Y + (pad.Height / 2));
         double radius = pad.Width / 2;
         ICDPSession fingers = await tab.Page.Context.NewCDPSessionAsync(tab.Page);
@@ -110,7 +118,8 @@ public sealed class LayoutTests(Browser browser)
         await fingers.SendAsync("Input.dispatchTouchEvent", new Dictionary<string, object>
         {
             ["type"] = type,
-            ["touchPoints"] = points.Select((point, id) => new Dictionary<string, object> { ["x"] = point.X, ["y"] = point.Y, ["id"] = id }).ToArray(),
+            ["touchPoints"] = points.Select(
+                (point, id) => new Dictionary<string, object> { ["x"] = point.X, ["y"] = point.Y, ["id"] = id }).ToArray(),
         });
 
     /// <summary>No card reaches out of the window or lies on another, and no text on a card is cut.</summary>
@@ -124,16 +133,19 @@ public sealed class LayoutTests(Browser browser)
                 .map((id) => document.getElementById(id)).filter((one) => one?.checkVisibility());
               const boxes = cards.map((one) => [one.id, one.getBoundingClientRect()]);
               for (const [id, box] of boxes) {
-                if (box.left < 0 || box.top < 0 || box.right > innerWidth + 0.5 || box.bottom > innerHeight + 0.5) wrong.push(`${id} reaches out of the window`);
+                if (box.left < 0 || box.top < 0 || box.right > innerWidth + 0.5 || box.bottom > innerHeight + 0.5)
+                  wrong.push(`${id} reaches out of the window`);
                 for (const [other, there] of boxes) {
-                  const apart = box.right <= there.left + 0.5 || there.right <= box.left + 0.5 || box.bottom <= there.top + 0.5 || there.bottom <= box.top + 0.5;
+                  const apart = box.right <= there.left + 0.5 || there.right <= box.left + 0.5 ||
+                    box.bottom <= there.top + 0.5 || there.bottom <= box.top + 0.5;
                   if (id < other && !apart) wrong.push(`${id} and ${other} lie on each other`);
                 }
               }
               for (const card of cards) {
                 for (const one of [card, ...card.querySelectorAll("*")]) {
                   if (!one.checkVisibility() || one.matches("input, .body, #goto-list")) continue;
-                  if (one.scrollWidth > one.clientWidth + 1 && getComputedStyle(one).overflowX !== "visible") wrong.push(`${one.id || one.tagName} in ${card.id} is cut`);
+                  if (one.scrollWidth > one.clientWidth + 1 && getComputedStyle(one).overflowX !== "visible")
+                    wrong.push(`${one.id || one.tagName} in ${card.id} is cut`);
                 }
                 const body = card.querySelector(".body");
                 if (body?.checkVisibility() && body.scrollWidth > body.clientWidth + 1) wrong.push(`${card.id} scrolls sideways`);
@@ -157,10 +169,15 @@ public sealed class LayoutTests(Browser browser)
               last.scrollIntoView({ block: "nearest" });
               const box = last.getBoundingClientRect();
               const hit = document.elementFromPoint(box.left + box.width / 2, box.top + box.height / 2);
-              return { inside: box.bottom <= innerHeight + 1 && box.top >= -1, hit: last.contains(hit) || hit?.contains(last) === true, keyboard: body.scrollHeight <= body.clientHeight + 1 || body.tabIndex === 0 };
+              return {
+                inside: box.bottom <= innerHeight + 1 && box.top >= -1,
+                hit: last.contains(hit) || hit?.contains(last) === true,
+                keyboard: body.scrollHeight <= body.clientHeight + 1 || body.tabIndex === 0,
+              };
             })()
             """);
-        Assert.True(last.GetProperty("inside").GetBoolean() && last.GetProperty("hit").GetBoolean(), $"{when}: the end of {body} can be seen");
+        Assert.True(last.GetProperty("inside").GetBoolean() && last.GetProperty("hit").GetBoolean(),
+            $"{when}: the end of {body} can be seen");
         Assert.True(last.GetProperty("keyboard").GetBoolean(), $"{when}: {body} scrolls by keyboard");
     }
 

@@ -39,7 +39,9 @@ public sealed class LinkTests(Browser browser)
         await tab.Page.Keyboard.UpAsync("w");
         await tab.Until("window.surefoot.pose.speed < 0.01", "the player stands");
         await tab.Page.Locator("#run-skill").FillAsync("450");
-        const string Address = "[new URLSearchParams(location.search).get('run'), new URLSearchParams(location.search).get('on'), Number(new URLSearchParams(location.search).get('at')?.split(',')[2])]";
+        const string Address =
+            "[new URLSearchParams(location.search).get('run'), new URLSearchParams(location.search).get('on'), " +
+            "Number(new URLSearchParams(location.search).get('at')?.split(',')[2])]";
         await tab.Until(
             $"{Address}[0] === '450' && {Address}[1] === 'triangles' && Math.abs({Address}[2] - window.surefoot.pose.position.y) < 0.001",
             "the address says so");
@@ -79,7 +81,8 @@ public sealed class LinkTests(Browser browser)
         Assert.Equal(1, await tab.Page.Locator("#notice p").CountAsync());
         Assert.Equal(0, await tab.Page.Locator("#toasts p.refused").CountAsync());
         Vector3 start = browser.Server.Places[0].Position;
-        double off = await tab.Number($"Math.hypot(window.surefoot.pose.position.x - {Text(start.X)}, window.surefoot.pose.position.y - {Text(start.Y)})");
+        double off = await tab.Number(
+            $"Math.hypot(window.surefoot.pose.position.x - {Text(start.X)}, window.surefoot.pose.position.y - {Text(start.Y)})");
         Assert.InRange(off, 0, 2.5);
         Assert.Equal("300", await tab.Page.Locator("#run-skill").InputValueAsync());
 
@@ -132,7 +135,8 @@ public sealed class LinkTests(Browser browser)
     {
         Assert.Contains("at=0xA9B5001D", tab.Page.Url, StringComparison.Ordinal);
         Assert.Equal(0xA9B5001D, await tab.Number("window.surefoot.pose.cell"));
-        Assert.InRange(await tab.Number("Math.hypot(window.surefoot.pose.position.x - 84.5, window.surefoot.pose.position.y - 97.25)"), 0, 0.01);
+        Assert.InRange(await tab.Number("Math.hypot(window.surefoot.pose.position.x - 84.5, window.surefoot.pose.position.y - 97.25)"), 0,
+            0.01);
         Assert.Equal(90, await tab.Number("-window.surefoot.pose.yaw * 180 / Math.PI"), 0.001);
         Assert.Equal("800", await tab.Page.Locator("#run-skill").InputValueAsync());
         Assert.Equal("100", await tab.Page.Locator("#jump-skill").InputValueAsync());

@@ -30,7 +30,8 @@ public sealed class NoPictureTests(Browser browser)
     public async Task A_graphics_card_that_goes_is_covered_until_it_is_back()
     {
         await using Tab tab = await browser.OpenAsync();
-        const string Extension = "(window.taken ??= document.getElementById('view').getContext('webgl2').getExtension('WEBGL_lose_context'))";
+        const string Extension =
+            "(window.taken ??= document.getElementById('view').getContext('webgl2').getExtension('WEBGL_lose_context'))";
         await tab.Page.EvaluateAsync($"() => {Extension}.loseContext()");
         await tab.Until("window.surefoot.covered === 'dark'", "the page says that the picture is lost");
         await Assertions.Expect(tab.Page.Locator("#cover")).ToContainTextAsync("The picture is lost");

@@ -34,7 +34,8 @@ public sealed class ServerTests : IAsyncLifetime
         using HttpResponseMessage page = await http.GetAsync(server.Address);
         Assert.Equal(HttpStatusCode.OK, page.StatusCode);
         Assert.Equal("text/html", page.Content.Headers.ContentType!.MediaType);
-        Assert.Contains("default-src 'self'", string.Join(' ', page.Headers.GetValues("Content-Security-Policy")), StringComparison.Ordinal);
+        Assert.Contains("default-src 'self'", string.Join(' ', page.Headers.GetValues("Content-Security-Policy")),
+            StringComparison.Ordinal);
         string html = await page.Content.ReadAsStringAsync();
         string[] named = [.. html.Split('"').Where(part => part.StartsWith('/') && part.Contains('.', StringComparison.Ordinal))];
         Assert.True(named.Length >= 3, $"script, style and icon are named in the page: {string.Join(", ", named)}");
@@ -125,8 +126,11 @@ public sealed class ServerTests : IAsyncLifetime
         Assert.Equal([1, 0, 0, 1, 1, 1], Enumerable.Range(0, 6).Select(i => BinaryPrimitives.ReadInt32LittleEndian(bytes.AsSpan(4 * i))));
         Assert.Equal(0xA9B40100, BinaryPrimitives.ReadUInt32LittleEndian(bytes.AsSpan(24)));
         Assert.Equal(1, BinaryPrimitives.ReadInt32LittleEndian(bytes.AsSpan(28)));
-        Assert.Equal([1f, 2f, 3f, 0.5f, 4f], Enumerable.Range(0, 5).Select(i => BinaryPrimitives.ReadSingleLittleEndian(bytes.AsSpan(32 + (4 * i)))));
-        Assert.Equal([0x00020003, 1], Enumerable.Range(0, 2).Select(i => BinaryPrimitives.ReadInt32LittleEndian(bytes.AsSpan(56 + (4 * i)))));
+        Assert.Equal(
+            [1f, 2f, 3f, 0.5f, 4f],
+            Enumerable.Range(0, 5).Select(i => BinaryPrimitives.ReadSingleLittleEndian(bytes.AsSpan(32 + (4 * i)))));
+        Assert.Equal(
+            [0x00020003, 1], Enumerable.Range(0, 2).Select(i => BinaryPrimitives.ReadInt32LittleEndian(bytes.AsSpan(56 + (4 * i)))));
         Assert.Equal(9f, BinaryPrimitives.ReadSingleLittleEndian(bytes.AsSpan(bytes.Length - 4)));
         Assert.Equal(HttpStatusCode.NoContent, (await http.GetAsync(new Uri(server.Address, "/shapes/a9b5"))).StatusCode);
         Assert.Equal(HttpStatusCode.NotFound, (await http.GetAsync(new Uri(server.Address, "/shapes/a9b"))).StatusCode);
@@ -152,7 +156,9 @@ public sealed class ServerTests : IAsyncLifetime
     public async Task A_socket_from_another_site_is_refused(string origin)
     {
         await Assert.ThrowsAsync<WebSocketException>(() => RawPage.OpenAsync(server, origin));
-        using HttpRequestMessage rebound = new(HttpMethod.Get, new Uri(server.Address, "/places.json")) { Headers = { Host = "evil.example" } };
+        using HttpRequestMessage rebound = new(HttpMethod.Get,
+            new Uri(server.Address, "/places.json"))
+        { Headers = { Host = "evil.example" } };
         Assert.Equal(HttpStatusCode.Forbidden, (await http.SendAsync(rebound)).StatusCode);
     }
 
@@ -243,7 +249,8 @@ public sealed class ServerTests : IAsyncLifetime
         await using RawPage two = await RawPage.OpenAsync(server);
         Assert.NotEqual(one.Id, two.Id);
         await two.SendKeysAsync(PlayerKeys.Forward, 1);
-        byte[] seen = await one.ReceiveAsync(FrameKind.Others, others => others.Length > ServerFrames.OthersHeaderLength && VelocityNorth(others) > 1);
+        byte[] seen = await one.ReceiveAsync(
+            FrameKind.Others, others => others.Length > ServerFrames.OthersHeaderLength && VelocityNorth(others) > 1);
         Assert.Equal(ServerFrames.OthersHeaderLength + ServerFrames.OtherLength, seen.Length);
         Assert.Equal(two.Id, BinaryPrimitives.ReadUInt32LittleEndian(seen.AsSpan(ServerFrames.OthersHeaderLength)));
         Assert.Equal(0, RawPage.SpeedOf(await one.ReceiveAsync(FrameKind.Pose)));

@@ -26,7 +26,12 @@ public sealed class ShapeTests
             new Region { Id = 0x13000000, HeightTable = [.. Enumerable.Repeat(0f, 256)] },
             new LandBlock { Id = Block, InfoFlag = 1, Terrain = [.. new ushort[81]], Heights = [.. new byte[81]] },
             new LandBlockInfo { Id = Block - 1, Objects = [new StaticObject(Thing, At(100))] },
-            new Setup { Id = Thing, PartIds = [Mesh], PlacementFrames = [new PlacementFrame(0, new AnimFrame([At(1)])), new PlacementFrame(0x65, new AnimFrame([At(3)]))] },
+            new Setup
+            {
+                Id = Thing,
+                PartIds = [Mesh],
+                PlacementFrames = [new PlacementFrame(0, new AnimFrame([At(1)])), new PlacementFrame(0x65, new AnimFrame([At(3)]))],
+            },
             Triangle))).World;
         Assert.True(world.LoadLandblock(Block));
         BlockShapes shapes = ShapeCollector.Collect(world.FindLandblock(Block)!);
@@ -68,7 +73,10 @@ public sealed class ShapeTests
     {
         Id = Mesh,
         Flags = GfxObjFlags.HasPhysics,
-        Vertices = new DatVertexArray([.. ImmutableArray.Create(Vector3.Zero, Vector3.UnitX, new Vector3(1, 1, 0)).Select((p, i) => new DatVertex((ushort)i, p, Vector3.UnitZ))]),
+        Vertices = new DatVertexArray(
+            [
+                .. ImmutableArray.Create(Vector3.Zero, Vector3.UnitX, new Vector3(1, 1, 0))
+                    .Select((p, i) => new DatVertex((ushort)i, p, Vector3.UnitZ))]),
         PhysicsPolygons = [new DatPolygon { Vertices = [0, 1, 2] }],
         PhysicsTree = BspTree.OfLeaf(new BspNode { Solid = 1, Sphere = new DatSphere(Vector3.Zero, 2), Polygons = [0] }),
     };

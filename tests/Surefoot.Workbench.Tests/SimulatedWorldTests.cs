@@ -13,7 +13,8 @@ public sealed class SimulatedWorldTests : IDisposable
 {
     private const double Turn = 1.0 / 240;
 
-    private readonly SimulatedWorld world = new("Demo", DatSet.Open(DemoWorldCache.GetOrCreate()), KnownPlaces.Demo(), NullLogger.Instance, DemoSpawns.All);
+    private readonly SimulatedWorld world = new(
+        "Demo", DatSet.Open(DemoWorldCache.GetOrCreate()), KnownPlaces.Demo(), NullLogger.Instance, DemoSpawns.All);
     private double now = 100;
 
     private WorkbenchPlace Runway => world.Places.Single(place => place.Name == "The runway");
@@ -61,7 +62,9 @@ public sealed class SimulatedWorldTests : IDisposable
             List<string> said = [];
             WorkbenchPlace beside = new("Beside the damage", village | 1, new Vector3(12, 12, float.NaN), 0);
             WorkbenchPlace inside = beside with { CellId = village | 0x100 };
-            using SimulatedWorld played = new("Damaged", DatSet.Open(folder.FullName), [damaged, inside, beside], NullLogger.Instance, []) { Notice = said.Add };
+            using SimulatedWorld played = new("Damaged", DatSet.Open(folder.FullName), [damaged, inside, beside], NullLogger.Instance,
+                [])
+            { Notice = said.Add };
             Assert.Equal((beside.Name, beside.CellId), (Assert.Single(played.Places).Name, played.Places[0].CellId));
             Assert.Equal(LeftOutNotice.Nothing, played.LeftOut);
             IWorkbenchPlayer player = played.Join(1, PlayerSettings.Default, played.Places[0], now);
@@ -78,7 +81,8 @@ public sealed class SimulatedWorldTests : IDisposable
     }
 
     [Fact]
-    [Behaviour("workbench.world.new-skill-waits-for-the-server", "design.md, Who uses it: until the answer arrives the player moves at the old rate")]
+    [Behaviour("workbench.world.new-skill-waits-for-the-server",
+        "design.md, Who uses it: until the answer arrives the player moves at the old rate")]
     public void A_new_run_skill_acts_when_the_server_has_answered()
     {
         IWorkbenchPlayer player = world.Join(1, new PlayerSettings(0, 250, 0), Runway, now);
@@ -294,7 +298,8 @@ public sealed class SimulatedWorldTests : IDisposable
     [Behaviour("workbench.server.any-dat-folder", "design.md, Who uses it: --dats DIR")]
     public async Task A_folder_of_dat_files_is_played_at_the_towns_that_it_has()
     {
-        await using WorkbenchServer server = await WorkbenchServer.StartAsync(new WorkbenchOptions { Port = 0, DatFolder = DemoWorldCache.GetOrCreate() });
+        await using WorkbenchServer server =
+            await WorkbenchServer.StartAsync(new WorkbenchOptions { Port = 0, DatFolder = DemoWorldCache.GetOrCreate() });
         using HttpClient http = new();
         string places = await http.GetStringAsync(new Uri(server.Address, "/places.json"));
         Assert.Contains("Holtburg", places, StringComparison.Ordinal);
@@ -309,7 +314,8 @@ public sealed class SimulatedWorldTests : IDisposable
             for (int j = 0; j < i; j++)
             {
                 PlayerPose a = players[i].Pose, b = players[j].Pose;
-                Assert.True(new Position(a.CellId, a.Position).OffsetTo(new Position(b.CellId, b.Position)).Length() > 0.96f, $"players {i} and {j}");
+                Assert.True(new Position(a.CellId, a.Position).OffsetTo(new Position(b.CellId, b.Position)).Length() > 0.96f,
+                    $"players {i} and {j}");
             }
         }
     }

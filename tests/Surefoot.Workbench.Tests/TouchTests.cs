@@ -13,7 +13,8 @@ public sealed class TouchTests : IDisposable
 {
     private const double Turn = 1.0 / 60;
 
-    private readonly SimulatedWorld world = new("Demo", DatSet.Open(DemoWorldCache.GetOrCreate()), KnownPlaces.Demo(), NullLogger.Instance, DemoSpawns.All);
+    private readonly SimulatedWorld world = new(
+        "Demo", DatSet.Open(DemoWorldCache.GetOrCreate()), KnownPlaces.Demo(), NullLogger.Instance, DemoSpawns.All);
     private double now = 100;
 
     public void Dispose() => world.Dispose();
@@ -75,7 +76,8 @@ public sealed class TouchTests : IDisposable
         for (int i = 0; i < 80; i++)
         {
             Pass(Turn);
-            if (player.Pose.Flags.HasFlag(PoseFlags.OnWalkable)) Assert.Contains(player.Touches, touch => touch is { IsFooting: true, Kind: TouchKind.Room });
+            if (player.Pose.Flags.HasFlag(PoseFlags.OnWalkable))
+                Assert.Contains(player.Touches, touch => touch is { IsFooting: true, Kind: TouchKind.Room });
         }
     }
 
@@ -133,7 +135,10 @@ public sealed class TouchTests : IDisposable
     {
         IWorkbenchPlayer player = Enter("forest");
         IReadOnlyList<Plant> plants = world.ReadShapes(0xA8B7)!.Plants;
-        Plant tree = plants.First(one => !one.IsRound && one.Low is { X: > 20 and < 170, Y: > 20 and < 170 } && plants.Count(other => Vector3.Distance(one.Low, other.Low) < 6) == 1);
+        Plant tree = plants.First(
+            one =>
+                !one.IsRound && one.Low is { X: > 20 and < 170, Y: > 20 and < 170 } &&
+                    plants.Count(other => Vector3.Distance(one.Low, other.Low) < 6) == 1);
         player.Goto(new WorkbenchPlace("", 0xA8B70001, tree.Low + new Vector3(0.1f, -3, 1.5f), 0), now);
         Pass(1);
         player.SetKeys(PlayerKeys.Forward, now);
@@ -150,7 +155,8 @@ public sealed class TouchTests : IDisposable
     private IWorkbenchPlayer Enter(string place)
     {
         NamedPlace there = DemoPlaces.All.Single(one => one.Name == place);
-        IWorkbenchPlayer player = world.Join(1, PlayerSettings.Default, world.Places.Single(one => one.Name == there.Title && one.CellId == there.CellId), now);
+        IWorkbenchPlayer player =
+            world.Join(1, PlayerSettings.Default, world.Places.Single(one => one.Name == there.Title && one.CellId == there.CellId), now);
         Pass(0.5);
         return player;
     }

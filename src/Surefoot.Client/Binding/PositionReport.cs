@@ -34,7 +34,9 @@ internal struct PositionReport
         if (position.CellId == 0 || !position.Frame.IsValid) return false;
 
         bool changed = position.CellId != lastPosition.CellId ||
-                       (now > lastTime + Interval ? !Frame.NearlyEqual(position.Frame, lastPosition.Frame) : PlaneDiffers(body.ContactPlane));
+                       (now > lastTime + Interval
+                           ? !Frame.NearlyEqual(position.Frame, lastPosition.Frame)
+                           : PlaneDiffers(body.ContactPlane));
         if (!changed) return false;
         lastTime = now;
         lastPosition = position;

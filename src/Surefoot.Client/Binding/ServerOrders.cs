@@ -15,7 +15,9 @@ internal sealed class ServerOrders(CommandTable commands)
     /// <param name="movement">The body's movement.</param>
     /// <param name="order">What it is to do.</param>
     /// <param name="autonomous">The body's own player asked for it.</param>
-    /// <returns>False when a command has no name, a number is out of all bounds or the place has no cell; nothing has changed then.</returns>
+    /// <returns>
+    /// False when a command has no name, a number is out of all bounds or the place has no cell; nothing has changed then.
+    /// </returns>
     public bool TryObey(MovementManager movement, in MovementData order, bool autonomous)
     {
         if (!TryReadStyle(order.Style, out MotionCommand style)) return false;

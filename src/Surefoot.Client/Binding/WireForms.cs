@@ -71,7 +71,7 @@ internal static class WireForms
 
         return true;
 
-        // Left out, it is none; 0 names a style that there is not.
+        // A style of 0 was left out and counts as none; any other must have a name.
         bool TryNameOrNone(ushort lowWord, out MotionCommand command)
         {
             command = MotionCommand.None;

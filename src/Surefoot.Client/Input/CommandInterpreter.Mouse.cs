@@ -8,7 +8,10 @@ internal sealed partial class CommandInterpreter
 {
     private const double SendInterval = 0.5;
 
-    /// <summary>What the right button asks for. No motion table has it: asking has its effect in <see cref="WithMouse"/> and fails harmlessly after that.</summary>
+    /// <summary>
+    /// What the right button asks for. No motion table has it: asking has its effect in <see cref="WithMouse"/> and fails harmlessly after
+    /// that.
+    /// </summary>
     private const MotionCommand LookChanges = (MotionCommand)0x0C0000C1;
 
     private bool leftButton;

@@ -5,8 +5,8 @@ using Surefoot.Physics.Steering;
 namespace Surefoot.Client;
 
 /// <summary>
-/// What the keys mean: which commands are held, whether the player or a server is in control, which motion follows, and that it is told. The pointer has a file
-/// of its own (<c>CommandInterpreter.Mouse.cs</c>).
+/// What the keys mean: which commands are held, whether the player or a server is in control, which motion follows, and that it is told.
+/// The pointer has a file of its own (<c>CommandInterpreter.Mouse.cs</c>).
 /// </summary>
 /// <remarks>Retail: CommandInterpreter @0x006B3E40, at its normal level of autonomy; specification 09b, 9.</remarks>
 internal sealed partial class CommandInterpreter(IMotionBody body, MovementManager movement, MovementSender sender, JumpKey jump)
@@ -49,7 +49,9 @@ internal sealed partial class CommandInterpreter(IMotionBody body, MovementManag
     /// <summary>True for a command that lasts as long as its key is held.</summary>
     public bool IsHeld(MotionCommand command) => ListOf(command) is not null;
 
-    /// <summary>A key of a command went down or came up. Coming up it says so even when nothing changes, but not while a server is in control.</summary>
+    /// <summary>
+    /// A key of a command went down or came up. Coming up it says so even when nothing changes, but not while a server is in control.
+    /// </summary>
     /// <returns>Why the motion was refused; none when it was not.</returns>
     /// <remarks>Retail: CommandInterpreter::HandleKeyboardCommand @0x006B3690.</remarks>
     public MotionError HandleKey(MotionCommand command, bool down, double now)
@@ -140,7 +142,9 @@ internal sealed partial class CommandInterpreter(IMotionBody body, MovementManag
         sender.SendMoveToState(now);
     }
 
-    /// <summary>A server's order was applied to the body: it goes first until it is done. The keys stay held; autorun and a charge end.</summary>
+    /// <summary>
+    /// A server's order was applied to the body: it goes first until it is done. The keys stay held; autorun and a charge end.
+    /// </summary>
     /// <remarks>Retail: CommandInterpreter::LoseControlToServer @0x006B3170.</remarks>
     public void LoseControlToServer()
     {
@@ -149,13 +153,17 @@ internal sealed partial class CommandInterpreter(IMotionBody body, MovementManag
         jump.Finish();
     }
 
-    /// <summary>Once a frame, after keys and messages: tells the position when it is due, and lets held keys act again when a server's order is done.</summary>
+    /// <summary>
+    /// Once a frame, after keys and messages: tells the position when it is due, and lets held keys act again when a server's order is
+    /// done.
+    /// </summary>
     /// <remarks>Retail: CommandInterpreter::UseTime @0x006B3BF0. Taking control back is not told.</remarks>
     public void UseTime(double now)
     {
         if (!IsEnabled) return;
         sender.SendPositionWhenDue(now);
-        bool wanted = AutoRun || substates.Head != MotionCommand.None || turns.Head != MotionCommand.None || sidesteps.Head != MotionCommand.None;
+        bool wanted = AutoRun || substates.Head != MotionCommand.None || turns.Head != MotionCommand.None ||
+            sidesteps.Head != MotionCommand.None;
         if (IsControlledByServer && wanted && !movement.MotionsPending && !movement.IsMovingTo) TakeControlFromServer(now);
     }
 
@@ -194,7 +202,9 @@ internal sealed partial class CommandInterpreter(IMotionBody body, MovementManag
         if (AutoRun) AutoRun = posture = false;
     }
 
-    /// <summary>Enters a key that went down into its list. A new substate ends autorun; a posture keeps what comes up later from acting.</summary>
+    /// <summary>
+    /// Enters a key that went down into its list. A new substate ends autorun; a posture keeps what comes up later from acting.
+    /// </summary>
     /// <remarks>Retail: CommandInterpreter::AddCommand @0x006B39A0.</remarks>
     private bool Press(MotionCommand command, double now)
     {
@@ -207,7 +217,8 @@ internal sealed partial class CommandInterpreter(IMotionBody body, MovementManag
     }
 
     /// <summary>
-    /// Takes a key that came up out of its list. Nothing follows when it did not act. When another one is held in the same list, that one goes down instead.
+    /// Takes a key that came up out of its list. Nothing follows when it did not act. When another one is held in the same list, that one
+    /// goes down instead.
     /// </summary>
     /// <returns>A motion follows.</returns>
     /// <remarks>Retail: CommandInterpreter::NukeCommand @0x006B3A20.</remarks>
@@ -220,7 +231,10 @@ internal sealed partial class CommandInterpreter(IMotionBody body, MovementManag
         return true;
     }
 
-    /// <summary>Puts what is held into effect, list by list. In this order: the stop of a sidestep among the turns comes before the sidestep's own turn.</summary>
+    /// <summary>
+    /// Puts what is held into effect, list by list. In this order: the stop of a sidestep among the turns comes before the sidestep's own
+    /// turn.
+    /// </summary>
     /// <remarks>Retail: CommandInterpreter::ApplyCurrentMovement @0x006B3430.</remarks>
     private void ApplyCurrentMovement(double now)
     {
@@ -244,8 +258,8 @@ internal sealed partial class CommandInterpreter(IMotionBody body, MovementManag
 
     /// <summary>Begins or ends a motion of the body. The dead let everything go instead.</summary>
     /// <remarks>
-    /// Retail: CommandInterpreter::MovePlayer @0x006B3F40. A key's motion has no hold key of its own and follows the current one; a button's and autorun's is a
-    /// run whatever the walk key says.
+    /// Retail: CommandInterpreter::MovePlayer @0x006B3F40. A key's motion has no hold key of its own and follows the current one; a
+    /// button's and autorun's is a run whatever the walk key says.
     /// </remarks>
     private MotionError MovePlayer(Move move, double now)
     {

@@ -2,7 +2,9 @@ using Surefoot.Physics.Motion;
 
 namespace Surefoot.Client;
 
-/// <summary>The commands of one kind whose keys are held; the newest, at the head, acts, and letting it go falls back to the one before.</summary>
+/// <summary>
+/// The commands of one kind whose keys are held; the newest, at the head, acts, and letting it go falls back to the one before.
+/// </summary>
 /// <remarks>Retail: CommandList @0x006B4960; specification 09b, 9.2.</remarks>
 internal sealed class HeldCommands
 {

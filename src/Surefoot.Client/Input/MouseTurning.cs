@@ -4,7 +4,7 @@ namespace Surefoot.Client;
 /// <remarks>Retail: CameraSet::MouseLookHandler @0x00458D80 and FilterMouseInput @0x00457530; specification 09b, 9.7.</remarks>
 public sealed class MouseTurning
 {
-    /// <summary>A turn smaller than this is none.</summary>
+    /// <summary>A turn smaller than this does nothing.</summary>
     internal const float DeadZone = 0.02f;
 
     /// <summary>Fastest turn asked for; running makes it half as fast again.</summary>
@@ -25,7 +25,10 @@ public sealed class MouseTurning
     public float Sensitivity
     {
         get => sensitivity;
-        set => sensitivity = value >= 0 && float.IsFinite(value) ? value : throw new ArgumentOutOfRangeException(nameof(value), value, "A factor is 0 or more.");
+        set =>
+            sensitivity = value >= 0 && float.IsFinite(value)
+                ? value
+                : throw new ArgumentOutOfRangeException(nameof(value), value, "A factor is 0 or more.");
     }
 
     /// <summary>Share of the average with the movement before, 0 to 1.</summary>
@@ -33,12 +36,13 @@ public sealed class MouseTurning
     public float Smoothing
     {
         get => smoothing;
-        set => smoothing = value is >= 0 and <= 1 ? value : throw new ArgumentOutOfRangeException(nameof(value), value, "A share is 0 to 1.");
+        set =>
+            smoothing = value is >= 0 and <= 1 ? value : throw new ArgumentOutOfRangeException(nameof(value), value, "A share is 0 to 1.");
     }
 
     /// <summary>
-    /// Turns the direction round. Retail's own is that of a camera which orbits the player: the pointer to the left turns the player right. Inverted, it
-    /// turns where the pointer goes.
+    /// Turns the direction round. Retail's own is that of a camera which orbits the player: the pointer to the left turns the player right.
+    /// Inverted, it turns where the pointer goes.
     /// </summary>
     public bool Inverted { get; set; }
 

@@ -5,8 +5,8 @@ using Surefoot.Physics.Steering;
 namespace Surefoot.Client;
 
 /// <summary>
-/// Turns keys, pointer and time into motions of the player's body, and into what a client tells its server. Called once a frame, before the world is advanced;
-/// it reads no clock and owns nothing global.
+/// Turns keys, pointer and time into motions of the player's body, and into what a client tells its server. Called once a frame, before the
+/// world is advanced; it reads no clock and owns nothing global.
 /// </summary>
 /// <remarks>Retail: the input side of the client; specification 01, 4.12 and 4.15, 08, 5.6 and 09b, 9 and 10.</remarks>
 public sealed class PlayerMovementController
@@ -30,7 +30,8 @@ public sealed class PlayerMovementController
     }
 
     /// <summary>
-    /// Forward runs and <see cref="MovementKeys.Walk"/> walks; or, when false, the other way round. A change acts at once, as if the walk key were not held.
+    /// Forward runs and <see cref="MovementKeys.Walk"/> walks; or, when false, the other way round. A change acts at once, as if the walk
+    /// key were not held.
     /// </summary>
     public bool RunAsDefault
     {
@@ -38,7 +39,9 @@ public sealed class PlayerMovementController
         set => commands.RunAsDefault = value;
     }
 
-    /// <summary>Runs ahead without a key. Ended by the keys for ahead and back, by postures and actions, and when a server takes over.</summary>
+    /// <summary>
+    /// Runs ahead without a key. Ended by the keys for ahead and back, by postures and actions, and when a server takes over.
+    /// </summary>
     public bool AutoRun => commands.AutoRun;
 
     /// <summary>A server moves the body; the next key takes control back, and so do keys held when the server's order is done.</summary>
@@ -82,7 +85,9 @@ public sealed class PlayerMovementController
         commands.UseTime(now);
     }
 
-    /// <summary>Runs ahead without a key, or stops doing so. It runs whatever the walk key says, which still decides how fast the player turns.</summary>
+    /// <summary>
+    /// Runs ahead without a key, or stops doing so. It runs whatever the walk key says, which still decides how fast the player turns.
+    /// </summary>
     /// <exception cref="ArgumentException">The time is not finite; nothing has changed.</exception>
     public void SetAutoRun(bool on, double now)
     {
@@ -103,8 +108,8 @@ public sealed class PlayerMovementController
     }
 
     /// <summary>
-    /// Stops everything, what the keys asked for and autorun included, and says so. The escape key does; so do attacks and spells, but only while the player is in
-    /// control.
+    /// Stops everything, what the keys asked for and autorun included, and says so. The escape key does; so do attacks and spells, but only
+    /// while the player is in control.
     /// </summary>
     /// <exception cref="ArgumentException">The time is not finite; nothing has changed.</exception>
     public void StopCompletely(double now)
@@ -113,10 +118,15 @@ public sealed class PlayerMovementController
         commands.StopCompletely(now);
     }
 
-    /// <summary>Gives up a jump that is being charged: a chat entry opens, the escape key, an attack. Nothing is sent, and the key's release does nothing.</summary>
+    /// <summary>
+    /// Gives up a jump that is being charged: a chat entry opens, the escape key, an attack. Nothing is sent, and the key's release does
+    /// nothing.
+    /// </summary>
     public void AbortJump() => jump.Finish();
 
-    /// <summary>The keyboard belongs to somebody else: every key counts as let go, and a jump under way is given up. Autorun goes on.</summary>
+    /// <summary>
+    /// The keyboard belongs to somebody else: every key counts as let go, and a jump under way is given up. Autorun goes on.
+    /// </summary>
     /// <exception cref="ArgumentException">The time is not finite; nothing has changed.</exception>
     public void LoseKeyboardFocus(double now)
     {

@@ -45,7 +45,9 @@ public enum PortalFlags : ushort
 /// <param name="OtherPortal">Index into the other cell's portals.</param>
 public readonly record struct CellPortal(PortalFlags Flags, ushort Polygon, ushort OtherCell, ushort OtherPortal)
 {
-    /// <summary>True where it opens to the outdoors, which its flag alone says: behind 0xFFFF without it is a cell that never exists.</summary>
+    /// <summary>
+    /// True where it opens to the outdoors, which its flag alone says: behind 0xFFFF without it is a cell that never exists.
+    /// </summary>
     [JsonIgnore]
     public bool IsOutside => (Flags & PortalFlags.Outside) != 0;
 

@@ -3,7 +3,9 @@ using Surefoot.DemoWorld.Records;
 
 namespace Surefoot.DemoWorld.Buildings;
 
-/// <summary>A dungeon without a way out: an entrance chamber, corridors in four pieces, a stair, a room with a pit, a hall of pillars.</summary>
+/// <summary>
+/// A dungeon without a way out: an entrance chamber, corridors in four pieces, a stair, a room with a pit, a hall of pillars.
+/// </summary>
 /// <remarks>It runs north (+y) and lies in a block of its own, far from the land.</remarks>
 internal static class Dungeon
 {

@@ -71,7 +71,8 @@ internal sealed class Interior
                 Structure = (ushort)room,
                 Position = frame.ToFrame(),
                 Portals = [.. rooms[room].Openings.Select((opening, index) => Portal(opening, (ushort)(walls + index), firstCell))],
-                VisibleCells = [.. Enumerable.Range(0, rooms.Count).Where(other => other != room).Select(other => (ushort)(firstCell + other))],
+                VisibleCells =
+                    [.. Enumerable.Range(0, rooms.Count).Where(other => other != room).Select(other => (ushort)(firstCell + other))],
             };
         }
     }

@@ -41,9 +41,11 @@ internal static class HumanBody
             (new(-0.02, 0.12, 0.07, 0.02, 0.155, 0.12), Surfaces.Skin),
             (new(-0.11, -0.13, 0.1, 0.11, 0.06, 0.29), Surfaces.Hair)),
         Drawn(UpperArm, (new(-0.055, -0.06, -0.31, 0.055, 0.06, 0.05), Surfaces.Shirt)),
-        Drawn(Forearm, (new(-0.045, -0.05, -0.27, 0.045, 0.05, 0), Surfaces.Shirt), (new(-0.04, -0.05, -0.42, 0.04, 0.05, -0.27), Surfaces.Skin)),
+        Drawn(Forearm, (new(-0.045, -0.05, -0.27, 0.045, 0.05, 0), Surfaces.Shirt),
+            (new(-0.04, -0.05, -0.42, 0.04, 0.05, -0.27), Surfaces.Skin)),
         Drawn(Thigh, (new(-0.08, -0.09, -0.46, 0.08, 0.09, 0.03), Surfaces.Trousers)),
-        Drawn(Shin, (new(-0.07, -0.08, -0.34, 0.07, 0.07, 0), Surfaces.Trousers), (new(-0.07, -0.1, -0.48, 0.07, 0.17, -0.34), Surfaces.Boots)),
+        Drawn(Shin, (new(-0.07, -0.08, -0.34, 0.07, 0.07, 0), Surfaces.Trousers),
+            (new(-0.07, -0.1, -0.48, 0.07, 0.17, -0.34), Surfaces.Boots)),
     ];
 
     private static GfxObj Drawn(uint id, params ReadOnlySpan<(Box Box, uint Surface)> boxes)

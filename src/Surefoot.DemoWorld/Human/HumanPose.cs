@@ -6,7 +6,9 @@ namespace Surefoot.DemoWorld.Human;
 /// <summary>Angles of a human's joints in degrees, and how high the hips are.</summary>
 internal readonly record struct HumanPose
 {
-    /// <summary>Number of parts: hips, chest, head, then upper arm and forearm, right and left, then thigh and shin, right and left.</summary>
+    /// <summary>
+    /// Number of parts: hips, chest, head, then upper arm and forearm, right and left, then thigh and shin, right and left.
+    /// </summary>
     public const int PartCount = 11;
 
     private const double HipHeight = 0.95;

@@ -108,15 +108,49 @@ internal static class HumanPoses
 
     /// <summary>Down on the heels.</summary>
     public static HumanPose Crouch()
-        => new() { Rise = -0.42, Lean = 25, RightHip = 85, LeftHip = 75, RightKnee = 118, LeftKnee = 125, RightShoulder = 35, LeftShoulder = 35, Elbows = 35, ArmSpread = 8 };
+        => new()
+        {
+            Rise = -0.42,
+            Lean = 25,
+            RightHip = 85,
+            LeftHip = 75,
+            RightKnee = 118,
+            LeftKnee = 125,
+            RightShoulder = 35,
+            LeftShoulder = 35,
+            Elbows = 35,
+            ArmSpread = 8,
+        };
 
     /// <summary>Sitting on the ground.</summary>
     public static HumanPose Sitting()
-        => new() { Rise = -0.85, Lean = -8, RightHip = 92, LeftHip = 92, RightKnee = 12, LeftKnee = 12, Spread = 8, RightShoulder = -22, LeftShoulder = -22, ArmSpread = 12 };
+        => new()
+        {
+            Rise = -0.85,
+            Lean = -8,
+            RightHip = 92,
+            LeftHip = 92,
+            RightKnee = 12,
+            LeftKnee = 12,
+            Spread = 8,
+            RightShoulder = -22,
+            LeftShoulder = -22,
+            ArmSpread = 12,
+        };
 
     /// <summary>Lying on the back, at ease.</summary>
     public static HumanPose Sleeping()
-        => new() { Rise = -0.83, Fall = -90, RightHip = 25, RightKnee = 50, RightShoulder = 20, LeftShoulder = 10, Elbows = 80, ArmSpread = 20 };
+        => new()
+        {
+            Rise = -0.83,
+            Fall = -90,
+            RightHip = 25,
+            RightKnee = 50,
+            RightShoulder = 20,
+            LeftShoulder = 10,
+            Elbows = 80,
+            ArmSpread = 20,
+        };
 
     private static double Wave(double phase) => Math.Sin(phase * 2 * Math.PI);
 }

@@ -3,7 +3,9 @@ using Surefoot.DemoWorld.Placement;
 
 namespace Surefoot.DemoWorld.Land;
 
-/// <summary>The land of the demo world as its records hold it: height bytes and terrain words of all blocks, and the ground between.</summary>
+/// <summary>
+/// The land of the demo world as its records hold it: height bytes and terrain words of all blocks, and the ground between.
+/// </summary>
 /// <remarks>
 /// Eight by eight blocks of land with a ring of sea blocks around, which retail's water rule makes impassable. Immutable.
 /// Grid columns and rows are cells of 24 m from the south-west corner of the land, -8 to 72 with the sea.

@@ -69,10 +69,12 @@ internal static class LandPlaces
         // From outside towards the summit along the south-west diagonal: the last walkable stretch before the first steep one.
         const double diagonal = 0.70710678;
         double distance = 320;
-        while (distance > 30 && terrain.GroundAt(summitX - (distance * diagonal), summitY - (distance * diagonal)).Normal.Z >= WalkableNormalZ)
+        while (distance > 30 &&
+            terrain.GroundAt(summitX - (distance * diagonal), summitY - (distance * diagonal)).Normal.Z >= WalkableNormalZ)
             distance -= 1;
         distance += 6;
-        plan.AddPlace("foot-of-the-mountain", "The foot of the mountain", summitX - (distance * diagonal), summitY - (distance * diagonal), 45,
+        plan.AddPlace(
+            "foot-of-the-mountain", "The foot of the mountain", summitX - (distance * diagonal), summitY - (distance * diagonal), 45,
             "Climb: a few steps ahead the ground gets too steep to stand on.");
     }
 

@@ -25,7 +25,9 @@ internal static class ObstaclePark
         {
             double x = West + (8 * i), height = ObstacleShapes.StepHeights[i];
             plan.AddObject(ObstacleShapes.StepsId(i), plan.Ground(x, South));
-            plan.AddPlace(FormattableString.Invariant($"steps-{100 * height:0}"), FormattableString.Invariant($"Steps of {height} m"), x, South - 5, 0,
+            plan.AddPlace(
+                FormattableString.Invariant($"steps-{100 * height:0}"), FormattableString.Invariant($"Steps of {height} m"),
+                x, South - 5, 0,
                 height < 0.6
                     ? FormattableString.Invariant($"Run up four steps of {height} m.")
                     : FormattableString.Invariant($"Steps of {height} m are too high for a stride, whose limit is 0.6: jump them."));
@@ -38,7 +40,8 @@ internal static class ObstaclePark
         {
             double x = West + 72 + (8 * i), angle = ObstacleShapes.WedgeAngles[i];
             plan.AddObject(ObstacleShapes.WedgeId(i), plan.Ground(x, South));
-            plan.AddPlace(FormattableString.Invariant($"wedge-{angle}"), FormattableString.Invariant($"A wedge of {angle} degrees"), x, South - 5, 0,
+            plan.AddPlace(
+                FormattableString.Invariant($"wedge-{angle}"), FormattableString.Invariant($"A wedge of {angle} degrees"), x, South - 5, 0,
                 angle < 48.38
                     ? FormattableString.Invariant($"Run up the wedge of {angle} degrees and off its back.")
                     : FormattableString.Invariant($"The wedge of {angle} degrees is too steep: slide along it, jump onto it, glide down."));
@@ -50,7 +53,8 @@ internal static class ObstaclePark
         double arches = West + 4;
         for (int i = 0; i < ObstacleShapes.ArchHeights.Length; i++)
             plan.AddObject(ObstacleShapes.ArchId(i), plan.Ground(arches, North + (5 * i)));
-        plan.AddPlace("arches", "Arches of falling height", arches, North - 5, 0, "Run north through the arches until one is too low for you.");
+        plan.AddPlace("arches", "Arches of falling height", arches, North - 5, 0,
+            "Run north through the arches until one is too low for you.");
 
         double gaps = West + 16;
         for (int i = 0; i < ObstacleShapes.GapWidths.Length; i++)
@@ -72,14 +76,16 @@ internal static class ObstaclePark
         plan.AddObject(ObstacleShapes.LongStairPlatform, foot.At(0, 7.2, 0));
         plan.AddPlace("long-stair", "The long stair", foot.X, foot.Y - 5, 0,
             "Run up 6 m over the seam between two stairs to the platform, turn and run down.");
-        plan.AddPlaceOn("platform", "On the platform", foot.At(0, 9.7, 6, 180), "Run down the long stair without losing the ground, or jump off the side.");
+        plan.AddPlaceOn("platform", "On the platform", foot.At(0, 9.7, 6, 180),
+            "Run down the long stair without losing the ground, or jump off the side.");
     }
 
     private static void AddCorners(WorldPlan plan)
     {
         var corners = plan.Ground(West + 74, North + 6);
         plan.AddObject(ObstacleShapes.Corners, corners);
-        plan.AddPlace("corners", "Convex and concave corners", corners.X, corners.Y - 3, 30, "Run into the corner between two walls, and around the end of a wall.");
+        plan.AddPlace("corners", "Convex and concave corners", corners.X, corners.Y - 3, 30,
+            "Run into the corner between two walls, and around the end of a wall.");
 
         var ceiling = plan.Ground(West + 90, North + 6);
         plan.AddObject(ObstacleShapes.LowCeiling, ceiling);
@@ -112,5 +118,6 @@ internal static class ObstaclePark
     }
 
     private static void AddForest(WorldPlan plan)
-        => plan.AddPlace("forest", "In the forest", Landform.ForestColumn * Cell, Landform.ForestRow * Cell, 45, "Run between the trees: you slide around their trunks.");
+        => plan.AddPlace("forest", "In the forest", Landform.ForestColumn * Cell, Landform.ForestRow * Cell, 45,
+            "Run between the trees: you slide around their trunks.");
 }

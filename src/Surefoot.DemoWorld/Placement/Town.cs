@@ -26,14 +26,16 @@ internal static class Town
             "Run between the houses, into doorways and along walls.");
         plan.AddPlace("house-door", "At a house's door", house.X, house.Y - 10, 0,
             "Go in and out of the doorway at every angle: the room is never lost.");
-        plan.AddPlaceIn(cells + House.Hall, "house-hall", "In the hall", house.At(0, -3, 0), "Walk through the doorways: back room ahead, the open air behind.");
+        plan.AddPlaceIn(cells + House.Hall, "house-hall", "In the hall", house.At(0, -3, 0),
+            "Walk through the doorways: back room ahead, the open air behind.");
         plan.AddPlaceIn(cells + House.BackRoom, "house-stairs", "At the stairs", house.At(-3.2, 5.2, 0, 90),
             "Climb the stairs along the north wall, through the hole in the ceiling.");
         plan.AddPlaceIn(cells + House.UpperFloor, "house-upstairs", "Upstairs", house.At(3.3, 5.2, 3.2, 270),
             "Walk around the hole in the floor, go down the stairs, or jump into the hole.");
         plan.AddPlaceIn(cells + House.Cellar, "house-cellar", "In the cellar", house.At(-2.6, 1, -3.2, 90),
             "Come up the cellar stairs without catching on the edge of the floor.");
-        plan.AddPlaceOn("house-roof", "On a roof", house.At(0, -5, House.RoofHeight, 180), "Run along the edge, which holds whoever walks, and jump off it.");
+        plan.AddPlaceOn("house-roof", "On a roof", house.At(0, -5, House.RoofHeight, 180),
+            "Run along the edge, which holds whoever walks, and jump off it.");
 
         var shed = plan.Ground(16.5 * Cell, 34.5 * Cell, 0);
         plan.AddObject(ObstacleShapes.Shed, shed);
@@ -43,6 +45,7 @@ internal static class Town
 
         var bridge = plan.Ground(28 * Cell, 35 * Cell, 0);
         plan.AddObject(ObstacleShapes.Footbridge, bridge);
-        plan.AddPlace("footbridge", "The footbridge", bridge.X - 11, bridge.Y, 90, "Go over the road on the bridge and under it on the road.");
+        plan.AddPlace("footbridge", "The footbridge", bridge.X - 11, bridge.Y, 90,
+            "Go over the road on the bridge and under it on the road.");
     }
 }

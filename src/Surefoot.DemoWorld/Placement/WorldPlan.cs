@@ -107,7 +107,9 @@ internal sealed class WorldPlan
     public void AddSpawn(string name, DemoSpawnKind kind, uint setup, Spot spot, double wanderRadius = 0)
     {
         spot = OffEdge(spot);
-        spawns.Add(new(name, kind, setup, Terrain.GroundAt(spot.X, spot.Y).CellId, Localise(spot).Local.ToVector(), (float)spot.Heading, (float)wanderRadius));
+        spawns.Add(
+            new(name, kind, setup, Terrain.GroundAt(spot.X, spot.Y).CellId, Localise(spot).Local.ToVector(), (float)spot.Heading,
+                (float)wanderRadius));
     }
 
     /// <summary>All records of the cell file.</summary>
@@ -150,5 +152,6 @@ internal sealed class WorldPlan
 
     private BlockContent ContentOf(uint block) => blocks.TryGetValue(block, out var content) ? content : new([], [], []);
 
-    private sealed record BlockContent(ImmutableArray<StaticObject> Objects, ImmutableArray<Building> Buildings, ImmutableArray<EnvCell> Cells);
+    private sealed record BlockContent(
+        ImmutableArray<StaticObject> Objects, ImmutableArray<Building> Buildings, ImmutableArray<EnvCell> Cells);
 }

@@ -23,7 +23,13 @@ internal static class LandRecords
             }
         }
 
-        return new() { Id = DatIds.LandBlock(x, y), InfoFlag = hasInfo ? 1u : 0u, Terrain = words.MoveToImmutable(), Heights = heights.MoveToImmutable() };
+        return new()
+        {
+            Id = DatIds.LandBlock(x, y),
+            InfoFlag = hasInfo ? 1u : 0u,
+            Terrain = words.MoveToImmutable(),
+            Heights = heights.MoveToImmutable(),
+        };
     }
 
     /// <summary>A block of open sea, around a dungeon.</summary>

@@ -65,12 +65,15 @@ internal sealed class BoxGrid
         return faces.ToImmutable();
     }
 
-    private void AddLayer(ImmutableArray<Face>.Builder faces, double[][] cuts, Direction direction, int layer, Func<uint, uint, Direction, Point3, uint?> rule)
+    private void AddLayer(
+        ImmutableArray<Face>.Builder faces, double[][] cuts, Direction direction, int layer,
+        Func<uint, uint, Direction, Point3, uint?> rule)
     {
         int axis = direction.Axis;
         double[] first = cuts[axis], second = cuts[(axis + 1) % 3], third = cuts[(axis + 2) % 3];
         double at = first[layer];
-        double below = layer > 0 ? (first[layer - 1] + at) / 2 : at - 1, above = layer + 1 < first.Length ? (at + first[layer + 1]) / 2 : at + 1;
+        double below = layer > 0 ? (first[layer - 1] + at) / 2 : at - 1,
+            above = layer + 1 < first.Length ? (at + first[layer + 1]) / 2 : at + 1;
         var surfaces = new uint?[second.Length - 1, third.Length - 1];
         for (int i = 0; i + 1 < second.Length; i++)
         {
@@ -78,7 +81,8 @@ internal sealed class BoxGrid
             {
                 double u = (second[i] + second[i + 1]) / 2, v = (third[j] + third[j + 1]) / 2;
                 uint low = SurfaceAt(Point3.Along(axis, below, u, v)), high = SurfaceAt(Point3.Along(axis, above, u, v));
-                surfaces[i, j] = rule(direction.Sign > 0 ? low : high, direction.Sign > 0 ? high : low, direction, Point3.Along(axis, at, u, v));
+                surfaces[i, j] = rule(direction.Sign > 0 ? low : high, direction.Sign > 0 ? high : low, direction,
+                    Point3.Along(axis, at, u, v));
             }
         }
 

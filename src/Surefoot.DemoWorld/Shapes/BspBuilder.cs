@@ -70,7 +70,8 @@ internal sealed class BspBuilder
     private BspNode Leaf(List<Fragment> used)
     {
         bool opening = used.Any(fragment => faces[fragment.Face].IsPortal);
-        ImmutableArray<short> polygons = [.. used.Where(fragment => !faces[fragment.Face].IsPortal).Select(fragment => PolygonOf(fragment.Face)).Distinct().Order()];
+        ImmutableArray<short> polygons =
+            [.. used.Where(fragment => !faces[fragment.Face].IsPortal).Select(fragment => PolygonOf(fragment.Face)).Distinct().Order()];
         return new()
         {
             LeafIndex = leaves++,

@@ -30,7 +30,8 @@ internal static class Creatures
             Meshes.Solid(DoorShape, new BoxGrid().Fill(new(-0.6, -0.06, 0, 0.6, 0.06, 2.2), Surfaces.Timber).Faces()),
             Creature(DemoIds.SmallCreatureSetup, SmallShape, 0.8f, 0.3f, [new(new(0, 0, 0.3f), 0.3f), new(new(0, 0, 0.55f), 0.3f)], []),
             // Others meet its cylinder; it moves by its spheres, without which a body stays where it is.
-            Creature(DemoIds.LargeCreatureSetup, LargeShape, 2.2f, 0.8f, [new(new(0, 0, 0.8f), 0.8f), new(new(0, 0, 1.4f), 0.8f)], [new(Vector3.Zero, 0.8f, 2.2f)]),
+            Creature(DemoIds.LargeCreatureSetup, LargeShape, 2.2f, 0.8f, [new(new(0, 0, 0.8f), 0.8f), new(new(0, 0, 1.4f), 0.8f)],
+                [new(Vector3.Zero, 0.8f, 2.2f)]),
             new Setup
             {
                 Id = DemoIds.DoorSetup,
@@ -46,21 +47,23 @@ internal static class Creatures
             .. animations,
         ];
     }
-    private static Setup Creature(uint id, uint shape, float height, float radius, ImmutableArray<DatSphere> spheres, ImmutableArray<DatCylSphere> cylinders) => new()
-    {
-        Id = id,
-        PartIds = [shape],
-        PlacementFrames = [new(0, new([DatFrame.Identity]))],
-        Spheres = spheres,
-        CylSpheres = cylinders,
-        Height = height,
-        Radius = radius,
-        StepUpHeight = 0.4f,
-        StepDownHeight = 0.6f,
-        SortingSphere = new(new(0, 0, height / 2), (height / 2) + radius),
-        SelectionSphere = new(new(0, 0, height / 2), height / 2),
-        DefaultMotionTableId = DemoIds.CreatureMotionTable,
-    };
+    private static Setup Creature(
+        uint id, uint shape, float height, float radius, ImmutableArray<DatSphere> spheres, ImmutableArray<DatCylSphere> cylinders) =>
+        new()
+        {
+            Id = id,
+            PartIds = [shape],
+            PlacementFrames = [new(0, new([DatFrame.Identity]))],
+            Spheres = spheres,
+            CylSpheres = cylinders,
+            Height = height,
+            Radius = radius,
+            StepUpHeight = 0.4f,
+            StepDownHeight = 0.6f,
+            SortingSphere = new(new(0, 0, height / 2), (height / 2) + radius),
+            SelectionSphere = new(new(0, 0, height / 2), height / 2),
+            DefaultMotionTableId = DemoIds.CreatureMotionTable,
+        };
 
     // The same motions and rules as the human's table (see HumanMotions); one part that bobs.
     private static MotionTable Table(List<Animation> animations)
@@ -104,7 +107,9 @@ internal static class Creatures
         {
             Id = id,
             PartCount = 1,
-            Frames = [.. Enumerable.Range(0, frames).Select(i => new AnimFrame([Joint.At(0, 0, height * (1 - Math.Cos(2 * Math.PI * i / frames))).ToFrame()]))],
+            Frames = [
+                .. Enumerable.Range(0, frames)
+                    .Select(i => new AnimFrame([Joint.At(0, 0, height * (1 - Math.Cos(2 * Math.PI * i / frames))).ToFrame()]))],
         });
         return id;
     }

@@ -5,7 +5,9 @@ using Surefoot.DemoWorld.Shapes;
 
 namespace Surefoot.DemoWorld.Things;
 
-/// <summary>Trees and shrubs that collide by a cylinder or a sphere, rocks that collide by their shape, and the scenes that strew them.</summary>
+/// <summary>
+/// Trees and shrubs that collide by a cylinder or a sphere, rocks that collide by their shape, and the scenes that strew them.
+/// </summary>
 internal static class NatureShapes
 {
     public const uint Rock = 0x01000160, Boulder = 0x01000161;
@@ -31,12 +33,21 @@ internal static class NatureShapes
             Id = DemoIds.WoodScene,
             Objects =
             [
-                Strewn(DemoIds.TreeSetup, 0.8f, 0.8f, 1.5f), Strewn(DemoIds.PineSetup, 0.7f, 0.7f, 1.4f), Strewn(DemoIds.TreeSetup, 0.6f, 0.7f, 1.2f),
+                Strewn(DemoIds.TreeSetup, 0.8f, 0.8f, 1.5f), Strewn(DemoIds.PineSetup, 0.7f, 0.7f, 1.4f),
+                Strewn(DemoIds.TreeSetup, 0.6f, 0.7f, 1.2f),
                 Strewn(DemoIds.ShrubSetup, 0.6f, 0.7f, 1.3f), Strewn(DemoIds.PineSetup, 0.5f, 0.9f, 1.6f), Strewn(Rock, 0.15f, 0.6f, 1.4f),
             ],
         },
-        new Scene { Id = DemoIds.RockScene, Objects = [Strewn(Boulder, 0.5f, 0.5f, 1.2f), Strewn(Rock, 0.7f, 0.6f, 1.8f), Strewn(Rock, 0.5f, 0.5f, 1.2f)] },
-        new Scene { Id = DemoIds.ShrubScene, Objects = [Strewn(DemoIds.ShrubSetup, 0.5f, 0.7f, 1.6f), Strewn(DemoIds.TreeSetup, 0.12f, 0.9f, 1.6f)] },
+        new Scene
+        {
+            Id = DemoIds.RockScene,
+            Objects = [Strewn(Boulder, 0.5f, 0.5f, 1.2f), Strewn(Rock, 0.7f, 0.6f, 1.8f), Strewn(Rock, 0.5f, 0.5f, 1.2f)],
+        },
+        new Scene
+        {
+            Id = DemoIds.ShrubScene,
+            Objects = [Strewn(DemoIds.ShrubSetup, 0.5f, 0.7f, 1.6f), Strewn(DemoIds.TreeSetup, 0.12f, 0.9f, 1.6f)],
+        },
     ];
 
     private static SceneObject Strewn(uint id, float frequency, float least, float greatest) => new()
@@ -88,10 +99,13 @@ internal static class NatureShapes
         [
             new(high, Surfaces.Rock),
             new([.. low.Reverse()], Surfaces.Rock),
-            .. Enumerable.Range(0, sides).Select(i => new Face([low[i], low[(i + 1) % sides], high[(i + 1) % sides], high[i]], Surfaces.Rock)),
+            .. Enumerable.Range(0, sides)
+                .Select(i => new Face([low[i], low[(i + 1) % sides], high[(i + 1) % sides], high[i]], Surfaces.Rock)),
         ];
     }
 
     private static ImmutableArray<Point3> Ring(int sides, double radius, double height)
-        => [.. Enumerable.Range(0, sides).Select(i => new Point3(radius * Math.Cos(2 * Math.PI * i / sides), radius * Math.Sin(2 * Math.PI * i / sides), height))];
+        => [
+            .. Enumerable.Range(0, sides)
+                .Select(i => new Point3(radius * Math.Cos(2 * Math.PI * i / sides), radius * Math.Sin(2 * Math.PI * i / sides), height))];
 }

@@ -66,7 +66,8 @@ internal static class ObstacleShapes
         for (int step = 0; step < steps; step++)
         {
             double end = (run * (step + 1)) + (step == steps - 1 ? landing : 0);
-            grid.Fill(new(-width / 2, run * step, 0, width / 2, end, baseHeight + (rise * (step + 1))), rise >= 0.6 ? Surfaces.WarningRed : Surfaces.Sandstone);
+            grid.Fill(new(-width / 2, run * step, 0, width / 2, end, baseHeight + (rise * (step + 1))),
+                rise >= 0.6 ? Surfaces.WarningRed : Surfaces.Sandstone);
         }
 
         return grid.Faces();
@@ -103,7 +104,8 @@ internal static class ObstacleShapes
     {
         var grid = new BoxGrid().Fill(new(-half, -half, clear, half, half, clear + 0.3), Surfaces.Timber);
         foreach (var (x, y) in new[] { (-1, -1), (-1, 1), (1, -1), (1, 1) })
-            grid.Fill(new((x * (half - 0.2)) - 0.2, (y * (half - 0.2)) - 0.2, 0, (x * (half - 0.2)) + 0.2, (y * (half - 0.2)) + 0.2, clear), Surfaces.Timber);
+            grid.Fill(new((x * (half - 0.2)) - 0.2, (y * (half - 0.2)) - 0.2, 0, (x * (half - 0.2)) + 0.2, (y * (half - 0.2)) + 0.2, clear),
+                Surfaces.Timber);
         return grid.Faces();
     }
 

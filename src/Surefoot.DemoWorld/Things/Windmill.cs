@@ -6,8 +6,8 @@ using Surefoot.DemoWorld.Shapes;
 namespace Surefoot.DemoWorld.Things;
 
 /// <summary>
-/// A windmill on z = 0, met from -y: a tower with a passage through its foot, and four sails before it that its setup's default animation turns for ever, so low
-/// that they sweep through whoever stands in the way.
+/// A windmill on z = 0, met from -y: a tower with a passage through its foot, and four sails before it that its setup's default animation
+/// turns for ever, so low that they sweep through whoever stands in the way.
 /// </summary>
 internal static class Windmill
 {

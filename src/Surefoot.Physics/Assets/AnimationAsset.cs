@@ -6,7 +6,8 @@ using Frame = Surefoot.Physics.Geometry.Frame;
 namespace Surefoot.Physics.Assets;
 
 /// <summary>
-/// What movement needs of an animation: how many frames it has, how the body itself moves in each, where its parts are, and what happens then. Immutable.
+/// What movement needs of an animation: how many frames it has, how the body itself moves in each, where its parts are, and what happens
+/// then. Immutable.
 /// </summary>
 public sealed class AnimationAsset
 {
@@ -19,15 +20,22 @@ public sealed class AnimationAsset
     /// <param name="id">Animation id.</param>
     /// <param name="frameCount">Number of frames, at least 1.</param>
     /// <param name="positionFrames">Root motion of each frame, or empty.</param>
-    /// <param name="partFrames">All parts of the first frame, then all of the second, and so on; empty where nobody asks where the parts are.</param>
-    /// <exception cref="ArgumentException">No frames, another number of position frames, or part frames that do not divide by the frames.</exception>
+    /// <param name="partFrames">
+    /// All parts of the first frame, then all of the second, and so on; empty where nobody asks where the parts are.
+    /// </param>
+    /// <exception cref="ArgumentException">
+    /// No frames, another number of position frames, or part frames that do not divide by the frames.
+    /// </exception>
     internal AnimationAsset(uint id, int frameCount, ReadOnlySpan<Frame> positionFrames = default, ReadOnlySpan<Frame> partFrames = default)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(frameCount, 1);
         if (positionFrames.Length != 0 && positionFrames.Length != frameCount)
-            throw new ArgumentException($"Animation 0x{id:X8} has {frameCount} frames but {positionFrames.Length} position frames.", nameof(positionFrames));
+            throw new ArgumentException($"Animation 0x{id:X8} has {frameCount} frames but {positionFrames.Length} position frames.",
+                nameof(positionFrames));
         if (partFrames.Length % frameCount != 0)
-            throw new ArgumentException($"Animation 0x{id:X8} has {frameCount} frames, which do not share {partFrames.Length} part frames evenly.", nameof(partFrames));
+            throw new ArgumentException(
+                $"Animation 0x{id:X8} has {frameCount} frames, which do not share {partFrames.Length} part frames evenly.",
+                nameof(partFrames));
         Id = id;
         FrameCount = frameCount;
         this.positionFrames = positionFrames.ToArray();
@@ -68,7 +76,7 @@ public sealed class AnimationAsset
 
     private static Frame FrameOf(DatFrame frame) => new(RetailMath.FiniteOrZero(frame.Origin), frame.Rotation);
 
-    /// <summary>The hooks that matter to movement; a scale that is none is left out.</summary>
+    /// <summary>The hooks that matter to movement; a scale that is not a positive number is left out.</summary>
     private static MotionHook[] HooksOf(Animation record)
     {
         List<MotionHook> hooks = [];
@@ -81,7 +89,9 @@ public sealed class AnimationAsset
                 else if (hook is SetOmegaHook spin)
                     hooks.Add(new MotionHook(MotionHookKind.Omega, i, hook.Direction, RetailMath.FiniteOrZero(spin.Omega)));
                 else if (hook is ScaleHook { End: > 0 and <= float.MaxValue } scale)
-                    hooks.Add(new MotionHook(MotionHookKind.Scale, i, hook.Direction, new Vector3(scale.End, float.IsFinite(scale.Time) ? scale.Time : 0, 0)));
+                    hooks.Add(
+                        new MotionHook(MotionHookKind.Scale, i, hook.Direction,
+                            new Vector3(scale.End, float.IsFinite(scale.Time) ? scale.Time : 0, 0)));
             }
         }
 

@@ -20,7 +20,9 @@ internal enum CellOverlap
 /// <summary>
 /// The containment tree of a room, which is a chain: a point is in the room when it is behind none of the planes. Immutable.
 /// </summary>
-/// <remarks>Retail: the cell trees of BSPTREE; only the positive children are followed. A leaf ends the chain (specification 04, 4.5 and 7.5).</remarks>
+/// <remarks>
+/// Retail: the cell trees of BSPTREE; only the positive children are followed. A leaf ends the chain (specification 04, 4.5 and 7.5).
+/// </remarks>
 internal sealed class CellBsp
 {
     /// <summary>How much further than its radius a sphere reaches in a containment test: 0.01 m.</summary>

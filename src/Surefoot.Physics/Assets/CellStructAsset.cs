@@ -27,8 +27,8 @@ internal sealed class CellStructAsset
     public PolygonSet Portals { get; }
 
     /// <summary>
-    /// Position in <see cref="Portals"/> of the polygon that a cell portal names. The name is a key, the only one in these files that is not a position; the
-    /// first portal with it counts.
+    /// Position in <see cref="Portals"/> of the polygon that a cell portal names. The name is a key, the only one in these files that is
+    /// not a position; the first portal with it counts.
     /// </summary>
     /// <remarks>Retail: CCellStruct::get_portal @0x005338B0.</remarks>
     /// <returns>False when there is none: the cell that names it cannot be used.</returns>

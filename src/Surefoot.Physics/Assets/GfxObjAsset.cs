@@ -54,7 +54,9 @@ public sealed class GfxObjAsset
                 ? flattener.PhysicsTree(tree, flattener.Polygons(record.PhysicsPolygons.AsSpan(), vertices, "physics"))
                 : null,
             BoundingBox = BoundingBox.Of(vertices),
-            DrawingSphere = record.DrawingTree is { } drawing ? new Sphere(drawing.Nodes[0].Sphere.Centre, drawing.Nodes[0].Sphere.Radius) : null,
+            DrawingSphere = record.DrawingTree is { } drawing
+                ? new Sphere(drawing.Nodes[0].Sphere.Centre, drawing.Nodes[0].Sphere.Radius)
+                : null,
             Always2D = always2D,
         };
     }

@@ -22,6 +22,8 @@ internal enum MotionHookKind
 /// <param name="Kind">What.</param>
 /// <param name="Frame">At the end of which frame.</param>
 /// <param name="Direction">1 when played forward, -1 backward, 0 both ways.</param>
-/// <param name="Value">rad/s in world axes; for a scale x is the scale at the end and y the seconds until then; for ethereal x is 0 or 1.</param>
+/// <param name="Value">
+/// rad/s in world axes; for a scale x is the scale at the end and y the seconds until then; for ethereal x is 0 or 1.
+/// </param>
 /// <remarks>Retail: the CAnimHook family, as far as it matters to movement (specification 02, 4.18).</remarks>
 internal readonly record struct MotionHook(MotionHookKind Kind, int Frame, int Direction, Vector3 Value);

@@ -31,8 +31,8 @@ internal sealed partial class PhysicsBsp
     }
 
     /// <summary>
-    /// Does the sphere overlap a polygon that its movement runs against? <paramref name="contact"/> names the last polygon overlapped, which after false is one
-    /// that the movement does not run against.
+    /// Does the sphere overlap a polygon that its movement runs against? <paramref name="contact"/> names the last polygon overlapped,
+    /// which after false is one that the movement does not run against.
     /// </summary>
     /// <remarks>Retail: BSPNODE::sphere_intersects_poly @0x0053CA30, BSPLEAF @0x0053D580.</remarks>
     public bool SphereIntersectsPoly(in Sphere sphere, in Vector3 movement, ref PolygonContact contact)
@@ -116,15 +116,19 @@ internal sealed partial class PhysicsBsp
 
     /// <summary>The question behind placement: a polygon to push out of, or the centre in matter.</summary>
     /// <param name="sphere">The sphere.</param>
-    /// <param name="reachRadius">Radius with which planes are straddled; polygons and bounding spheres are tested with the sphere's own.</param>
+    /// <param name="reachRadius">
+    /// Radius with which planes are straddled; polygons and bounding spheres are tested with the sphere's own.
+    /// </param>
     /// <param name="centerSolid">Set when the centre is in matter, never cleared.</param>
     /// <param name="hit">The polygon overlapped; one that is there already ends the search at the first plane straddled.</param>
     /// <param name="centerCheck">Ask about the centre.</param>
     /// <returns>
-    /// At a straddled plane whose nearer side named a polygon: <paramref name="centerSolid"/>, so possibly false with a polygon named. That is retail's answer.
+    /// At a straddled plane whose nearer side named a polygon: <paramref name="centerSolid"/>, so possibly false with a polygon named. That
+    /// is retail's answer.
     /// </returns>
     /// <remarks>Retail: BSPNODE::sphere_intersects_solid_poly @0x0053CD50, BSPLEAF @0x0053D780.</remarks>
-    public bool SphereIntersectsSolidPoly(in Sphere sphere, float reachRadius, ref bool centerSolid, ref PolygonContact hit, bool centerCheck)
+    public bool SphereIntersectsSolidPoly(
+        in Sphere sphere, float reachRadius, ref bool centerSolid, ref PolygonContact hit, bool centerCheck)
     {
         Span<int> far = pendingSize <= SmallStack ? stackalloc int[SmallStack] : stackalloc int[pendingSize];
         int count = 0, at = root;
@@ -185,8 +189,8 @@ internal sealed partial class PhysicsBsp
     }
 
     /// <summary>
-    /// Goes to every leaf the sphere reaches, in front of a straddled plane before behind it. Whether the far side is reached is decided before the
-    /// near one is visited; its bounding sphere is asked afterwards, when the sphere may have moved.
+    /// Goes to every leaf the sphere reaches, in front of a straddled plane before behind it. Whether the far side is reached is decided
+    /// before the near one is visited; its bounding sphere is asked afterwards, when the sphere may have moved.
     /// </summary>
     private bool Walk<TVisitor>(ref TVisitor visitor)
         where TVisitor : struct, ILeafVisitor

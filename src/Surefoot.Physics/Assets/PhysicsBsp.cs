@@ -4,12 +4,13 @@ using Surefoot.Physics.Geometry;
 namespace Surefoot.Physics.Assets;
 
 /// <summary>
-/// The collision tree of a mesh or room: interior nodes, leaves and polygons in flat arrays, addressed by index. Immutable and shared; every
-/// query is a loop with a small stack of its own.
+/// The collision tree of a mesh or room: interior nodes, leaves and polygons in flat arrays, addressed by index. Immutable and shared;
+/// every query is a loop with a small stack of its own.
 /// </summary>
 /// <remarks>
-/// Retail: BSPTREE, BSPNODE, BSPLEAF; specification 04, 4.5 and 4.6. This file is the shape of the tree, the others are what is asked of it. A leaf without
-/// polygons answers nothing to every query, so all of them, and children that a file lacks, are one value: <see cref="Nothing"/>.
+/// Retail: BSPTREE, BSPNODE, BSPLEAF; specification 04, 4.5 and 4.6. This file is the shape of the tree, the others are what is asked of
+/// it. A leaf without polygons answers nothing to every query, so all of them, and children that a file lacks, are one value:
+/// <see cref="Nothing"/>.
 /// </remarks>
 internal sealed partial class PhysicsBsp
 {
@@ -27,7 +28,8 @@ internal sealed partial class PhysicsBsp
     private readonly int root;
     private readonly int pendingSize;
 
-    internal PhysicsBsp(Node[] nodes, Leaf[] leaves, ushort[] leafPolygons, int root, in Sphere bounds, int pendingSize, PolygonSet polygons)
+    internal PhysicsBsp(
+        Node[] nodes, Leaf[] leaves, ushort[] leafPolygons, int root, in Sphere bounds, int pendingSize, PolygonSet polygons)
     {
         this.nodes = nodes;
         this.leaves = leaves;

@@ -4,7 +4,8 @@ using Surefoot.Physics.Geometry;
 namespace Surefoot.Physics.Assets;
 
 /// <summary>
-/// Puts a tree together from the bottom or the top, in any order, and checks it: every reference must exist and the queries' stacks must stay small.
+/// Puts a tree together from the bottom or the top, in any order, and checks it: every reference must exist and the queries' stacks must
+/// stay small.
 /// </summary>
 internal sealed class PhysicsBspBuilder(PolygonSet polygons)
 {
@@ -53,8 +54,8 @@ internal sealed class PhysicsBspBuilder(PolygonSet polygons)
     }
 
     /// <summary>
-    /// How many untaken branches with polygons a way from the root to a leaf can pass. A chain of planes, however long, passes none when one side
-    /// of each is empty.
+    /// How many untaken branches with polygons a way from the root to a leaf can pass. A chain of planes, however long, passes none when
+    /// one side of each is empty.
     /// </summary>
     private int MostPending(int root)
     {

@@ -7,7 +7,8 @@ using Surefoot.Dats.Records;
 namespace Surefoot.Physics.Assets;
 
 /// <summary>
-/// Builds collision assets from dat records, once for each id, and shares them. Assets are immutable: any number of worlds and threads may use one cache.
+/// Builds collision assets from dat records, once for each id, and shares them. Assets are immutable: any number of worlds and threads may
+/// use one cache.
 /// </summary>
 /// <remarks>Two threads that ask for a new id at the same moment may both build it; all callers get the same one.</remarks>
 public sealed class PhysicsDataCache
@@ -35,7 +36,9 @@ public sealed class PhysicsDataCache
 
     /// <summary>The mesh with an id 0x01…</summary>
     /// <exception cref="DatRecordMissingException">There is no such record.</exception>
-    /// <exception cref="DatFormatException">The record is malformed: it names polygons or vertices that do not exist, or numbers that are none.</exception>
+    /// <exception cref="DatFormatException">
+    /// The record is malformed: it names polygons or vertices that do not exist, or numbers that are not finite.
+    /// </exception>
     public GfxObjAsset GetGfxObj(uint id) => GetGfxObj(id, null);
 
     /// <summary>The environment with an id 0x0D…</summary>
@@ -80,8 +83,8 @@ public sealed class PhysicsDataCache
     }
 
     /// <summary>
-    /// Does the first level of a degrade record (u32 id, u32 count, then u32 mesh, u32 mode, … for each) have a mode other than 1? One that cannot be read
-    /// counts as missing.
+    /// Does the first level of a degrade record (u32 id, u32 count, then u32 mesh, u32 mode, … for each) have a mode other than 1? One that
+    /// cannot be read counts as missing.
     /// </summary>
     private bool IsAlways2D(uint degradeId)
     {

@@ -31,7 +31,8 @@ public sealed class PolygonSet
     public ref readonly Plane PlaneOf(int polygon) => ref planes[polygon];
 
     /// <summary>Corners of a polygon, in order, metres.</summary>
-    public ReadOnlySpan<Vector3> CornersOf(int polygon) => corners.AsSpan(firstCorner[polygon], firstCorner[polygon + 1] - firstCorner[polygon]);
+    public ReadOnlySpan<Vector3> CornersOf(int polygon) =>
+        corners.AsSpan(firstCorner[polygon], firstCorner[polygon + 1] - firstCorner[polygon]);
 
     /// <summary>A polygon, to be asked questions of.</summary>
     internal ConvexPolygon this[int polygon] => new(planes[polygon], CornersOf(polygon));
@@ -59,7 +60,11 @@ internal sealed class PolygonSetBuilder(int expected)
         firstCorner.Add(corners.Count);
     }
 
-    public PolygonSet Build() => planes.Count == 0 ? PolygonSet.Empty : new PolygonSet([.. planes], [.. firstCorner], [.. corners]);
+    public PolygonSet Build()
+    {
+        if (planes.Count == 0) return PolygonSet.Empty;
+        return new PolygonSet([.. planes], [.. firstCorner], [.. corners]);
+    }
 }
 
 /// <summary>One polygon of a set; the default value is no polygon.</summary>
@@ -73,7 +78,9 @@ internal readonly record struct PolygonRef(PolygonSet? Set, int Index)
     /// <summary>The polygon; there must be one.</summary>
     public ConvexPolygon Polygon => Set![Index];
 
-    /// <summary>Is a sphere carried along <paramref name="up"/> onto the plane supported by the polygon? All in the polygon's frame.</summary>
+    /// <summary>
+    /// Is a sphere carried along <paramref name="up"/> onto the plane supported by the polygon? All in the polygon's frame.
+    /// </summary>
     /// <remarks>Retail: CPolygon::check_walkable @0x00538E60.</remarks>
     public bool CheckWalkable(in Sphere sphere, in Vector3 up) => Polygon.SupportsFoot(sphere, up);
 

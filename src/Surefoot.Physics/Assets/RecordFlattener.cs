@@ -8,9 +8,12 @@ using Surefoot.Physics.Geometry;
 namespace Surefoot.Physics.Assets;
 
 /// <summary>
-/// Flattens the shapes of one dat record and finds what would hurt later: missing polygons and vertices, numbers that are none. Every error names the record.
+/// Flattens the shapes of one dat record and finds what would hurt later: missing polygons and vertices, numbers that are not finite. Every
+/// error names the record.
 /// </summary>
-/// <remarks>What a record refers to is referred to by position, as retail does; the keys in the file are ignored (specification 07, 7.1).</remarks>
+/// <remarks>
+/// What a record refers to is referred to by position, as retail does; the keys in the file are ignored (specification 07, 7.1).
+/// </remarks>
 internal readonly struct RecordFlattener(DatRecord record)
 {
     /// <summary>Positions of a record's vertices.</summary>
@@ -48,8 +51,8 @@ internal readonly struct RecordFlattener(DatRecord record)
     }
 
     /// <summary>
-    /// A collision tree. A child that a node's tag does not promise is empty space: retail would follow a null there. A PORT node, which stores no sphere in
-    /// these trees and which nobody writes, is never passed over.
+    /// A collision tree. A child that a node's tag does not promise is empty space: retail would follow a null there. A PORT node, which
+    /// stores no sphere in these trees and which nobody writes, is never passed over.
     /// </summary>
     public PhysicsBsp PhysicsTree(BspTree tree, PolygonSet polygons)
     {
@@ -101,7 +104,8 @@ internal readonly struct RecordFlattener(DatRecord record)
     public Frame Frame(in DatFrame frame, string what)
     {
         Quaternion q = frame.Rotation;
-        bool finite = RetailMath.IsFinite(frame.Origin) && float.IsFinite(q.X) && float.IsFinite(q.Y) && float.IsFinite(q.Z) && float.IsFinite(q.W);
+        bool finite = RetailMath.IsFinite(frame.Origin) && float.IsFinite(q.X) && float.IsFinite(q.Y) && float.IsFinite(q.Z) &&
+            float.IsFinite(q.W);
         return finite ? new Frame(frame.Origin, q) : throw Error($"{what} has a frame that is not finite");
     }
 

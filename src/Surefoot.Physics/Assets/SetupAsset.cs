@@ -15,7 +15,9 @@ public readonly record struct SetupPart(GfxObjAsset Mesh, Vector3 DefaultScale);
 /// <param name="Frame">Where what is held is, seen from that part, metres.</param>
 public readonly record struct HoldingLocation(uint Number, uint Part, Frame Frame);
 
-/// <summary>What movement needs of a setup: parts, spheres, cylinders, heights and steps, in metres at scale 1. Immutable and shared.</summary>
+/// <summary>
+/// What movement needs of a setup: parts, spheres, cylinders, heights and steps, in metres at scale 1. Immutable and shared.
+/// </summary>
 /// <remarks>Retail: CSetup; specification 06.</remarks>
 public sealed class SetupAsset
 {
@@ -52,7 +54,8 @@ public sealed class SetupAsset
         internal init
         {
             spheres = value.ToArray();
-            foreach (ref readonly Sphere sphere in value) SpheresReach = Math.Max(SpheresReach, RetailMath.Length(sphere.Center) + Math.Abs(sphere.Radius));
+            foreach (ref readonly Sphere sphere in value)
+                SpheresReach = Math.Max(SpheresReach, RetailMath.Length(sphere.Center) + Math.Abs(sphere.Radius));
         }
     }
 
@@ -85,7 +88,9 @@ public sealed class SetupAsset
     /// <summary>Deepest step descended.</summary>
     public float StepDownHeight { get; internal init; }
 
-    /// <summary>Sphere around everything, by which things far away are ordered and moving objects without cylinders find their cells.</summary>
+    /// <summary>
+    /// Sphere around everything, by which things far away are ordered and moving objects without cylinders find their cells.
+    /// </summary>
     public Sphere SortingSphere { get; internal init; }
 
     /// <summary>The body may turn freely in one sweep.</summary>
@@ -98,15 +103,15 @@ public sealed class SetupAsset
     public uint DefaultAnimationId { get; internal init; }
 
     /// <summary>
-    /// Some part has a collision tree: an object that is made of this setup is then hit by its trees, and neither by cylinders nor by spheres, until a server's
-    /// word says otherwise (<c>PhysicsState.HasPhysicsBsp</c>).
+    /// Some part has a collision tree: an object that is made of this setup is then hit by its trees, and neither by cylinders nor by
+    /// spheres, until a server's word says otherwise (<c>PhysicsState.HasPhysicsBsp</c>).
     /// </summary>
     /// <remarks>Retail: CPartArray::CacheHasPhysicsBSP. Never taken from the record's flag.</remarks>
     public bool HasPhysicsBsp { get; private init; }
 
     /// <summary>
-    /// Frames of the parts in the object's frame when it is put down in some way; the default way where the asked one is missing, and no frames where that is
-    /// missing too.
+    /// Frames of the parts in the object's frame when it is put down in some way; the default way where the asked one is missing, and no
+    /// frames where that is missing too.
     /// </summary>
     /// <param name="placement">0 by default, <see cref="Resting"/> for things that lie about.</param>
     public ReadOnlySpan<Frame> Placement(uint placement) =>
@@ -127,7 +132,9 @@ public sealed class SetupAsset
     /// <param name="spheres">The spheres; the first is the foot. Bodies move by the first two.</param>
     /// <param name="stepUpHeight">Highest step climbed, metres.</param>
     /// <param name="stepDownHeight">Deepest step descended without leaving the ground, metres.</param>
-    /// <exception cref="ArgumentException">There is no sphere, or a radius, a centre or a height is not finite, or negative, or a radius is 0.</exception>
+    /// <exception cref="ArgumentException">
+    /// There is no sphere, or a radius, a centre or a height is not finite, or negative, or a radius is 0.
+    /// </exception>
     public static SetupAsset OfSpheres(uint id, ReadOnlySpan<Sphere> spheres, float stepUpHeight = 0f, float stepDownHeight = 0f)
     {
         if (spheres.IsEmpty) throw new ArgumentException("A shape of spheres has at least one.", nameof(spheres));
@@ -138,7 +145,8 @@ public sealed class SetupAsset
 
         static void ThrowIfNoHeight(float height, string name)
         {
-            if (!(height >= 0) || !float.IsFinite(height)) throw new ArgumentException("The height of a step is negative or not finite.", name);
+            if (!(height >= 0) || !float.IsFinite(height))
+                throw new ArgumentException("The height of a step is negative or not finite.", name);
         }
     }
 
@@ -168,7 +176,7 @@ public sealed class SetupAsset
     /// <summary>Flattens a record.</summary>
     /// <param name="record">The record.</param>
     /// <param name="meshes">Where the parts' meshes come from.</param>
-    /// <exception cref="Dats.DatFormatException">The record has numbers that are none.</exception>
+    /// <exception cref="Dats.DatFormatException">A number of the record is not finite.</exception>
     internal static SetupAsset Build(Setup record, Func<uint, GfxObjAsset> meshes)
     {
         RecordFlattener check = new(record);
@@ -187,7 +195,8 @@ public sealed class SetupAsset
             Cylinders = [.. record.CylSpheres.Select(c => check.Cylinder(c, "a cylinder"))],
             HoldingLocations =
             [
-                .. record.HoldingLocations.Select(l => new HoldingLocation(l.Location, l.Part, check.Frame(l.Frame, $"holding location {l.Location}"))),
+                .. record.HoldingLocations.Select(
+                    l => new HoldingLocation(l.Location, l.Part, check.Frame(l.Frame, $"holding location {l.Location}"))),
             ],
             Height = check.Finite(record.Height, "the height"),
             Radius = check.Finite(record.Radius, "the radius"),

@@ -20,7 +20,8 @@ public readonly record struct BodySeat(
     {
         PhysicsBody.ThrowIfBad(Position, name);
         if (!RetailMath.IsFinite(Velocity)) throw new ArgumentException("The velocity is not finite.", name);
-        if (!RetailMath.IsFinite(ContactPlane.Normal) || !float.IsFinite(ContactPlane.D)) throw new ArgumentException("The contact plane is not finite.", name);
+        if (!RetailMath.IsFinite(ContactPlane.Normal) || !float.IsFinite(ContactPlane.D))
+            throw new ArgumentException("The contact plane is not finite.", name);
         if (!RetailMath.IsFinite(SlidingNormal)) throw new ArgumentException("The sliding normal is not finite.", name);
     }
 }

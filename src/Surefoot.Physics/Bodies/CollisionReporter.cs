@@ -57,7 +57,11 @@ internal sealed class CollisionReporter(PhysicsBody body)
         {
             if (body.State.Has(PhysicsState.ReportCollisions) && body.Weenie != WeenieTraits.None)
             {
-                if (wasMissile) body.Listener?.OnAttackCollision(body, new AttackCollision(other.Id, other.Position.QuadrantOf(body.Position, other.Height)));
+                if (wasMissile)
+                {
+                    body.Listener?.OnAttackCollision(body,
+                        new AttackCollision(other.Id, other.Position.QuadrantOf(body.Position, other.Height)));
+                }
                 else body.Listener?.OnObjectCollision(body, ProfileOf(other, relative, hadContact, otherIsMissile, other.HasContact));
                 reported = true;
             }
@@ -65,10 +69,12 @@ internal sealed class CollisionReporter(PhysicsBody body)
             if (wasMissile) body.State &= ~MissileBits;
         }
 
-        if (other.State.Has(PhysicsState.ReportCollisions) && !body.State.Has(PhysicsState.IgnoreCollisions) && other.Weenie != WeenieTraits.None)
+        if (other.State.Has(PhysicsState.ReportCollisions) && !body.State.Has(PhysicsState.IgnoreCollisions) &&
+            other.Weenie != WeenieTraits.None)
         {
             ICollisionListener? listener = (other as PhysicsBody)?.Listener;
-            if (otherIsMissile) listener?.OnAttackCollision(other, new AttackCollision(body.Id, body.Position.QuadrantOf(other.Position, body.Height)));
+            if (otherIsMissile)
+                listener?.OnAttackCollision(other, new AttackCollision(body.Id, body.Position.QuadrantOf(other.Position, body.Height)));
             // Retail hands over the missile and contact flags the wrong way round; so do we.
             else listener?.OnObjectCollision(other, ProfileOf(body, relative, other.HasContact, hadContact, wasMissile));
             reported = true;
@@ -133,5 +139,7 @@ internal sealed class CollisionReporter(PhysicsBody body)
     }
 
     private static ObjectCollision ProfileOf(WorldObject other, Vector3 relative, bool meInContact, bool isMissile, bool inContact) =>
-        other.Weenie == WeenieTraits.None ? default : new ObjectCollision(other.Id, relative, other.Weenie, meInContact, isMissile, inContact);
+        other.Weenie == WeenieTraits.None
+            ? default
+            : new ObjectCollision(other.Id, relative, other.Weenie, meInContact, isMissile, inContact);
 }

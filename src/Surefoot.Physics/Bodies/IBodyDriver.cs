@@ -4,10 +4,12 @@ using Surefoot.Physics.World;
 namespace Surefoot.Physics.Bodies;
 
 /// <summary>
-/// What drives a body: its motions, and what a server makes of it (corrections, sticking, a leash, tracking). The only way in which bodies call what is built on
-/// them.
+/// What drives a body: its motions, and what a server makes of it (corrections, sticking, a leash, tracking). The only way in which bodies
+/// call what is built on them.
 /// </summary>
-/// <remarks>Retail: MovementManager, PositionManager and TargetManager as CPhysicsObj calls them, and the motion side of CPartArray.</remarks>
+/// <remarks>
+/// Retail: MovementManager, PositionManager and TargetManager as CPhysicsObj calls them, and the motion side of CPartArray.
+/// </remarks>
 internal interface IBodyDriver
 {
     /// <summary>The body has a motion side: it stays awake while it stands.</summary>
@@ -26,8 +28,8 @@ internal interface IBodyDriver
     uint StickyObjectId { get; }
 
     /// <summary>
-    /// Frames of the body's parts as they are animated now, in the body's frame at scale 1, metres; empty when nothing animates them: they are then where they
-    /// were put down.
+    /// Frames of the body's parts as they are animated now, in the body's frame at scale 1, metres; empty when nothing animates them: they
+    /// are then where they were put down.
     /// </summary>
     ReadOnlySpan<Frame> PartFrames { get; }
 
@@ -47,11 +49,15 @@ internal interface IBodyDriver
     /// <param name="quantum">Seconds.</param>
     void AdjustOffset(ref Frame offset, float quantum);
 
-    /// <summary>Does what the animations passed in this quantum: called after the velocity was integrated and before the body is moved.</summary>
+    /// <summary>
+    /// Does what the animations passed in this quantum: called after the velocity was integrated and before the body is moved.
+    /// </summary>
     /// <remarks>Retail: the animation hooks of CPhysicsObj::process_hooks @0x00511550.</remarks>
     void ProcessHooks();
 
-    /// <summary>The quantum was committed. The order is retail's: targets, move-to and pending motions, then blips and the end of sticking.</summary>
+    /// <summary>
+    /// The quantum was committed. The order is retail's: targets, move-to and pending motions, then blips and the end of sticking.
+    /// </summary>
     /// <param name="physicsTime">Simulated time of the body, seconds.</param>
     void EndQuantum(double physicsTime);
 

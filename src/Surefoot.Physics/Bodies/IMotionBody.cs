@@ -38,7 +38,9 @@ internal interface IMotionBody
     /// <param name="velocity">m/s; x right, y ahead, z up.</param>
     void SetLocalVelocity(Vector3 velocity);
 
-    /// <summary>Writes the on-walkable bit, calls <c>HitGround</c> or <c>LeaveGround</c> of the motion side, renews the acceleration.</summary>
+    /// <summary>
+    /// Writes the on-walkable bit, calls <c>HitGround</c> or <c>LeaveGround</c> of the motion side, renews the acceleration.
+    /// </summary>
     void SetOnWalkable(bool on);
 
     /// <summary>Ends a move-to or turn-to under way.</summary>

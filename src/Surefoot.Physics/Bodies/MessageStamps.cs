@@ -48,8 +48,7 @@ internal enum InstanceAge
 
 /// <summary>
 /// The nine stamps of an object, 16 bits each, that say which message is newer. They wrap around. A test that finds a newer stamp stores
-/// it, also when the message
-/// has no effect after that.
+/// it, also when the message has no effect after that.
 /// </summary>
 /// <remarks>Retail: CPhysicsObj::update_times; specification 02, 2.7, 08, 4.3 and 09, 5.2.</remarks>
 internal struct MessageStamps : IEquatable<MessageStamps>
@@ -116,8 +115,7 @@ internal struct MessageStamps : IEquatable<MessageStamps>
 
     /// <summary>
     /// Does a position of the local player force it there? The position stamp is then taken as it is. A newer correction from before a
-    /// teleport does not, and stays
-    /// stored.
+    /// teleport does not, and stays stored.
     /// </summary>
     /// <param name="position">Position stamp of the message.</param>
     /// <param name="teleport">Teleport stamp of the message.</param>

@@ -9,8 +9,8 @@ namespace Surefoot.Physics.Bodies;
 public sealed partial class PhysicsBody
 {
     /// <summary>
-    /// A transition may have decided that the body loses its velocity. To be asked as soon as it ends, whatever becomes of its result: retail stops the body from
-    /// inside.
+    /// A transition may have decided that the body loses its velocity. To be asked as soon as it ends, whatever becomes of its result:
+    /// retail stops the body from inside.
     /// </summary>
     private void TakeStop(Transition transition)
     {
@@ -97,7 +97,9 @@ public sealed partial class PhysicsBody
         if (dot >= 0) return;
         double k = -(dot * ((double)Elasticity + 1.0));
         velocity = new Vector3(
-            (float)((k * normal.X) + velocity.X), (float)((float)(k * normal.Y) + (double)velocity.Y), (float)((float)(k * normal.Z) + (double)velocity.Z));
+            (float)((k * normal.X) + velocity.X),
+            (float)((float)(k * normal.Y) + (double)velocity.Y),
+            (float)((float)(k * normal.Z) + (double)velocity.Z));
     }
 
     /// <summary>Stores a frame; one whose orientation alone is broken gets a zero quaternion, as in retail.</summary>

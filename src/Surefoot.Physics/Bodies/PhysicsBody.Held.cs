@@ -27,7 +27,8 @@ public sealed partial class PhysicsBody
     public bool SetParent(PhysicsBody holder, uint location)
     {
         ArgumentNullException.ThrowIfNull(holder);
-        if (!ReferenceEquals(holder.population, population)) throw new ArgumentException("The holder belongs to another population.", nameof(holder));
+        if (!ReferenceEquals(holder.population, population))
+            throw new ArgumentException("The holder belongs to another population.", nameof(holder));
         ThrowIfRemoved();
         holder.ThrowIfRemoved();
         if (holder.IsHeldBy(this) || holder.Setup is not { } shape) return false;

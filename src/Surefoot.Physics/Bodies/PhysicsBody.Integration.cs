@@ -27,7 +27,8 @@ public sealed partial class PhysicsBody
     /// <summary>Brings the body to <paramref name="now"/> in quanta of at most 0.2 s.</summary>
     /// <param name="now">Seconds.</param>
     /// <remarks>
-    /// Retail: CPhysicsObj::update_object @0x00515D10. A remainder of at most 1/30 s is kept for the next call; more than 2 s at once are lost, not simulated.
+    /// Retail: CPhysicsObj::update_object @0x00515D10. A remainder of at most 1/30 s is kept for the next call; more than 2 s at once are
+    /// lost, not simulated.
     /// </remarks>
     internal void UpdateObject(double now)
     {
@@ -85,12 +86,13 @@ public sealed partial class PhysicsBody
     /// <summary>The same.</summary>
     /// <param name="quantum">Seconds, more than 0.</param>
     /// <param name="sweepWithoutSpheres">
-    /// Let a body without spheres move by the dummy sphere of its transition. In a tick such a body stays where it is (specification 02, 4.4, step 5);
-    /// recorded walks leave that rule out.
+    /// Let a body without spheres move by the dummy sphere of its transition. In a tick such a body stays where it is (specification 02,
+    /// 4.4, step 5); recorded walks leave that rule out.
     /// </param>
     internal void AdvanceQuantum(float quantum, bool sweepWithoutSpheres)
     {
-        if (!(quantum > 0) || !float.IsFinite(quantum)) throw new ArgumentOutOfRangeException(nameof(quantum), quantum, "A quantum is a positive number of seconds.");
+        if (!(quantum > 0) || !float.IsFinite(quantum))
+            throw new ArgumentOutOfRangeException(nameof(quantum), quantum, "A quantum is a positive number of seconds.");
         updateTime += quantum;
         RunQuantum(quantum, updateTime, sweepWithoutSpheres);
     }
@@ -150,7 +152,8 @@ public sealed partial class PhysicsBody
 
         Vector3 moved = PositionField.OffsetTo(transition.Path.CurrPos);
         double inverse = 1.0 / quantum;
-        AchievedVelocity = new Vector3((float)(inverse * moved.X), (float)((float)inverse * (double)moved.Y), (float)((float)inverse * (double)moved.Z));
+        AchievedVelocity =
+            new Vector3((float)(inverse * moved.X), (float)((float)inverse * (double)moved.Y), (float)((float)inverse * (double)moved.Z));
         Commit(transition, simulatedTime);
     }
 
@@ -242,7 +245,8 @@ public sealed partial class PhysicsBody
         Vector3 n = contactPlane.Normal;
         double dot = RetailMath.Dot(velocity, n);
         if (dot >= FrictionCutOff) return;
-        velocity = new Vector3((float)(velocity.X - (dot * n.X)), (float)(velocity.Y - (dot * n.Y)), (float)((double)velocity.Z - (float)(dot * n.Z)));
+        velocity = new Vector3(
+            (float)(velocity.X - (dot * n.X)), (float)(velocity.Y - (dot * n.Y)), (float)((double)velocity.Z - (float)(dot * n.Z)));
         velocity = RetailMath.Scale(velocity, Math.Pow(1.0 - FrictionNow(speedSquared, n.Z), q));
     }
 

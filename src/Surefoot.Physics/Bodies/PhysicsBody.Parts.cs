@@ -18,24 +18,28 @@ public sealed partial class PhysicsBody
         Setup is null ? default : placement == SetupAsset.Resting ? Setup.RestPose : Setup.Placement(placement);
 
     /// <summary>
-    /// Puts the body's parts down in another way than <see cref="SetupAsset.Resting"/>, as a server's description of a body without movement tells. A way that
-    /// its setup lacks is listed in <see cref="PhysicsWorld.LeftOut"/> and is the default way, 0; one that lacks that too leaves the parts where they are. An
-    /// animation goes before it.
+    /// Puts the body's parts down in another way than <see cref="SetupAsset.Resting"/>, as a server's description of a body without
+    /// movement tells. A way that its setup lacks is listed in <see cref="PhysicsWorld.LeftOut"/> and is the default way, 0; one that lacks
+    /// that too leaves the parts where they are. An animation goes before it.
     /// </summary>
     /// <param name="value">Number of the placement: 0 by default, 0x67 on a hook and so on.</param>
     /// <remarks>Retail: CPhysicsObj::SetPlacementFrame, CPartArray::SetPlacementFrame; specification 06, 3.</remarks>
     public void SetPlacement(uint value)
     {
         if (Setup is not null && !Setup.HasPlacement(value))
-            population.Cells.LeftOut.Add(new LeftOutItem(LeftOutKind.Placement, Setup.Id, $"the setup has no placement 0x{value:X}") { FirstIn = Id });
+            population.Cells.LeftOut.Add(
+                new LeftOutItem(LeftOutKind.Placement, Setup.Id, $"the setup has no placement 0x{value:X}") { FirstIn = Id });
         placement = value;
         UpdateParts();
     }
 
-    /// <summary>Scales the body, its shapes and its steps. The places of its parts follow when its frame is set next, the cells it is listed in when it moves.</summary>
+    /// <summary>
+    /// Scales the body, its shapes and its steps. The places of its parts follow when its frame is set next, the cells it is listed in when
+    /// it moves.
+    /// </summary>
     /// <param name="value">Uniform scale, more than 0.</param>
     /// <param name="seconds">How long it takes to get there, in the body's simulated time; less than 0.0002 is at once.</param>
-    /// <exception cref="ArgumentException">The scale is not a positive number, or the time is none.</exception>
+    /// <exception cref="ArgumentException">The scale is not a positive number, or the time is not finite.</exception>
     /// <remarks>Retail: CPhysicsObj::SetScale, SetScaleStatic.</remarks>
     public void SetScale(float value, float seconds = 0f)
     {

@@ -153,7 +153,8 @@ public sealed partial class PhysicsBody
     {
         ThrowIfBad(request.Position);
         ThrowIfRemoved();
-        if (!float.IsFinite(request.RadiusX) || !float.IsFinite(request.RadiusY)) throw new ArgumentException("A scatter radius is not finite.", nameof(request));
+        if (!float.IsFinite(request.RadiusX) || !float.IsFinite(request.RadiusY))
+            throw new ArgumentException("A scatter radius is not finite.", nameof(request));
         return Place(request);
     }
 
@@ -215,7 +216,9 @@ public sealed partial class PhysicsBody
         bool free = transition.Place(cell, ref place, (flags & PlacementFlags.Slide) != 0);
         TakeStop(transition);
         if (!free)
-            return HandleAllCollisions(transition.Collision, false, false, updateTime) ? PlacementResult.Collided : PlacementResult.NoValidPosition;
+            return HandleAllCollisions(transition.Collision, false, false, updateTime)
+                ? PlacementResult.Collided
+                : PlacementResult.NoValidPosition;
         if (transition.Path.CurrCell is null) return PlacementResult.NoCell;
         Commit(transition, updateTime);
         return PlacementResult.OK;
@@ -233,7 +236,8 @@ public sealed partial class PhysicsBody
     }
 
     /// <summary>Hooks, chests and corpses are put where they are told without any test.</summary>
-    internal static bool HangsWhereItIsPut(WeenieTraits weenie) => (weenie & (WeenieTraits.Hook | WeenieTraits.Storage | WeenieTraits.Corpse)) != 0;
+    internal static bool HangsWhereItIsPut(WeenieTraits weenie) =>
+        (weenie & (WeenieTraits.Hook | WeenieTraits.Storage | WeenieTraits.Corpse)) != 0;
 
     internal static void ThrowIfBad(in Position position, string name = "position")
     {

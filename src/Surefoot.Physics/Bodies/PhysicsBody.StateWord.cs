@@ -6,15 +6,19 @@ namespace Surefoot.Physics.Bodies;
 /// <content>The state word and what its changes bring about.</content>
 public sealed partial class PhysicsBody
 {
-    /// <summary>Stores a new state word. Gravity takes effect at the next commit or change of ground; hiding and showing do at once.</summary>
+    /// <summary>
+    /// Stores a new state word. Gravity takes effect at the next commit or change of ground; hiding and showing do at once.
+    /// </summary>
     /// <param name="value">
-    /// The word, taken as it is: its <see cref="PhysicsState.HasPhysicsBsp"/> decides from now on between the trees of the parts and cylinders or spheres. Bits
-    /// that contradict each other or the body's shape are listed in <see cref="PhysicsWorld.LeftOut"/>; the body keeps its pose.
+    /// The word, taken as it is: its <see cref="PhysicsState.HasPhysicsBsp"/> decides from now on between the trees of the parts and
+    /// cylinders or spheres. Bits that contradict each other or the body's shape are listed in <see cref="PhysicsWorld.LeftOut"/>; the body
+    /// keeps its pose.
     /// </param>
     /// <remarks>Retail: CPhysicsObj::set_state @0x00514DD0.</remarks>
     public void SetState(PhysicsState value)
     {
-        bool wasHidden = State.Has(PhysicsState.Hidden), isHidden = value.Has(PhysicsState.Hidden), hadTrees = State.Has(PhysicsState.HasPhysicsBsp);
+        bool wasHidden = State.Has(PhysicsState.Hidden), isHidden = value.Has(PhysicsState.Hidden),
+            hadTrees = State.Has(PhysicsState.HasPhysicsBsp);
         State = value;
         ListContradictions();
         if (!KeepsParts) ForgetParts();
@@ -79,12 +83,15 @@ public sealed partial class PhysicsBody
     /// <summary>Lists what the state word says that cannot be so.</summary>
     internal void ListContradictions()
     {
-        if (State.Has(PhysicsState.HasPhysicsBsp) && Setup is not { HasPhysicsBsp: true }) List("HAS_PHYSICS_BSP, but no part has a collision tree");
-        if (State.Has(PhysicsState.HasDefaultAnim) && (Setup is null || Setup.DefaultAnimationId == 0)) List("HAS_DEFAULT_ANIM, but the setup names no animation");
+        if (State.Has(PhysicsState.HasPhysicsBsp) && Setup is not { HasPhysicsBsp: true })
+            List("HAS_PHYSICS_BSP, but no part has a collision tree");
+        if (State.Has(PhysicsState.HasDefaultAnim) && (Setup is null || Setup.DefaultAnimationId == 0))
+            List("HAS_DEFAULT_ANIM, but the setup names no animation");
         if (State.Has(PhysicsState.Static) && State.Has(PhysicsState.Missile | PhysicsState.AlignPath | PhysicsState.Sledding))
             List("STATIC, but MISSILE, ALIGNPATH or SLEDDING as well");
 
-        void List(string reason) => population.Cells.LeftOut.Add(new LeftOutItem(LeftOutKind.StateBit, Setup?.Id ?? 0, reason) { FirstIn = Id });
+        void List(string reason) =>
+            population.Cells.LeftOut.Add(new LeftOutItem(LeftOutKind.StateBit, Setup?.Id ?? 0, reason) { FirstIn = Id });
     }
 
     /// <inheritdoc/>

@@ -7,8 +7,8 @@ using Surefoot.Physics.World;
 namespace Surefoot.Physics.Bodies;
 
 /// <summary>
-/// A body that moves: state words, velocity, contact. What happens to it has files of its own: <c>Integration</c>, <c>Commit</c>, <c>Placement</c>,
-/// <c>StateWord</c>, <c>Parts</c>, <c>Steering</c>.
+/// A body that moves: state words, velocity, contact. What happens to it has files of its own: <c>Integration</c>, <c>Commit</c>,
+/// <c>Placement</c>, <c>StateWord</c>, <c>Parts</c>, <c>Steering</c>.
 /// </summary>
 /// <remarks>Retail: CPhysicsObj; specification 02.</remarks>
 public sealed partial class PhysicsBody : WorldObject, IMotionBody, IHookTarget
@@ -60,7 +60,9 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody, IHookTarget
     /// <remarks>Retail: CPhysicsObj::get_velocity @0x005113C0 returns this.</remarks>
     public Vector3 AchievedVelocity { get; private set; }
 
-    /// <summary>The plane touched last, in the block frame of <see cref="ContactPlaneCellId"/>; it holds while <see cref="HasContact"/>.</summary>
+    /// <summary>
+    /// The plane touched last, in the block frame of <see cref="ContactPlaneCellId"/>; it holds while <see cref="HasContact"/>.
+    /// </summary>
     public Plane ContactPlane => contactPlane;
 
     /// <summary>Cell whose block frame <see cref="ContactPlane"/> is in.</summary>
@@ -126,7 +128,9 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody, IHookTarget
     /// <summary>What drives it.</summary>
     internal IBodyDriver Driver => driver;
 
-    /// <summary>Sets the velocity, at most <see cref="MaxVelocity"/>, and wakes the body; a change within the tolerance is ignored.</summary>
+    /// <summary>
+    /// Sets the velocity, at most <see cref="MaxVelocity"/>, and wakes the body; a change within the tolerance is ignored.
+    /// </summary>
     /// <param name="value">m/s, world axes.</param>
     /// <exception cref="ArgumentException">A component is NaN or infinite.</exception>
     /// <remarks>Retail: CPhysicsObj::set_velocity @0x005113F0.</remarks>
@@ -231,7 +235,9 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody, IHookTarget
     /// Re-seats the body in the state of a recorded quantum, without any test: for replays, for saved states, and for servers that check a
     /// client's report.
     /// </summary>
-    /// <exception cref="ArgumentException">A number of the state is not finite, or its id cannot name a cell; nothing has changed.</exception>
+    /// <exception cref="ArgumentException">
+    /// A number of the state is not finite, or its id cannot name a cell; nothing has changed.
+    /// </exception>
     public void Seat(in BodySeat seat)
     {
         seat.ThrowIfBad(nameof(seat));

@@ -3,7 +3,9 @@ using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Bodies;
 
-/// <summary>The bodies of one engine and what they share: the cells they move through, the time, the player, the work objects, the dice.</summary>
+/// <summary>
+/// The bodies of one engine and what they share: the cells they move through, the time, the player, the work objects, the dice.
+/// </summary>
 internal sealed class Population
 {
     private readonly Func<PhysicsBody, IBodyDriver> makeDriver;

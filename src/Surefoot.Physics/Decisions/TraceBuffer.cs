@@ -1,8 +1,8 @@
 namespace Surefoot.Physics.Decisions;
 
 /// <summary>
-/// What sweeps tell, in order, one value a decision. Whoever wants to know gives a body such a buffer, reads it after a tick and clears it; once it has grown
-/// it allocates nothing. One thread at a time.
+/// What sweeps tell, in order, one value a decision. Whoever wants to know gives a body such a buffer, reads it after a tick and clears it;
+/// once it has grown it allocates nothing. One thread at a time.
 /// </summary>
 public sealed class TraceBuffer
 {

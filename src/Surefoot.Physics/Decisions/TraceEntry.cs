@@ -27,8 +27,8 @@ public readonly record struct TraceEntry
     public TraceSubject Subject { get; init; }
 
     /// <summary>
-    /// The plane met or rested on, its normal of unit length and in world axes; the constant, metres, is in the block frame of <see cref="PlaneCellId"/>. Of responses
-    /// and bends only the normal, with a constant of 0; zero for none.
+    /// The plane met or rested on, its normal of unit length and in world axes; the constant, metres, is in the block frame of
+    /// <see cref="PlaneCellId"/>. Of responses and bends only the normal, with a constant of 0; zero for none.
     /// </summary>
     public Plane Plane { get; init; }
 
@@ -41,7 +41,9 @@ public readonly record struct TraceEntry
     /// <summary>A displacement, metres, world axes.</summary>
     public Vector3 Offset { get; init; }
 
-    /// <summary>Where the body's origin was being tried, or where it was accepted; metres in the block frame of <see cref="CellId"/>.</summary>
+    /// <summary>
+    /// Where the body's origin was being tried, or where it was accepted; metres in the block frame of <see cref="CellId"/>.
+    /// </summary>
     public Vector3 Origin { get; init; }
 
     /// <summary>Cell of <see cref="Origin"/>.</summary>

@@ -10,20 +10,26 @@ public enum TraceKind : byte
     SweepBegins,
 
     /// <summary>
-    /// A sweep or a placement is over. <see cref="TraceEntry.Succeeded"/> says whether a valid place was found; the subject and the plane are what the body rests on
-    /// there.
+    /// A sweep or a placement is over. <see cref="TraceEntry.Succeeded"/> says whether a valid place was found; the subject and the plane
+    /// are what the body rests on there.
     /// </summary>
     SweepEnds,
 
     /// <summary>
-    /// A sub-step begins. <see cref="TraceEntry.Offset"/> is its share of the way, before it is bent; the subject and the plane are what the body rests on.
+    /// A sub-step begins. <see cref="TraceEntry.Offset"/> is its share of the way, before it is bent; the subject and the plane are what
+    /// the body rests on.
     /// </summary>
     SubStepBegins,
 
-    /// <summary>A sub-step is over: accepted, or refused and taken back. The subject and the plane are what the body rests on now.</summary>
+    /// <summary>
+    /// A sub-step is over: accepted, or refused and taken back. The subject and the plane are what the body rests on now.
+    /// </summary>
     SubStepEnds,
 
-    /// <summary>A sub-step was bent before it was tried. <see cref="TraceEntry.Offset"/> is what became of it, and the normal is that of what it was bent along.</summary>
+    /// <summary>
+    /// A sub-step was bent before it was tried. <see cref="TraceEntry.Offset"/> is what became of it, and the normal is that of what it was
+    /// bent along.
+    /// </summary>
     Bent,
 
     /// <summary>The position was lifted out of the plane it had sunk into, by <see cref="TraceEntry.Offset"/>.</summary>
@@ -47,7 +53,9 @@ public enum TraceKind : byte
     /// <summary>The body rests on a plane from now on.</summary>
     ContactPlane,
 
-    /// <summary>A response that asks further questions is being tried; what follows up to its <see cref="Responded"/> belongs to it.</summary>
+    /// <summary>
+    /// A response that asks further questions is being tried; what follows up to its <see cref="Responded"/> belongs to it.
+    /// </summary>
     Tried,
 
     /// <summary>A response found a way, or did not, and why.</summary>

@@ -36,7 +36,8 @@ public enum TraceSubjectKind : byte
 /// <param name="Part">Index of a part of it; −1 for none.</param>
 /// <param name="Polygon">Index of a polygon of its tree, or of a triangle of the landblock; −1 for none.</param>
 /// <param name="Sphere">Which sphere of the mover: 0 the foot, 1 the head; −1 for none.</param>
-public readonly record struct TraceSubject(TraceSubjectKind Kind, uint CellId, uint ObjectId, uint SetupId, short Part, int Polygon, sbyte Sphere)
+public readonly record struct TraceSubject(
+    TraceSubjectKind Kind, uint CellId, uint ObjectId, uint SetupId, short Part, int Polygon, sbyte Sphere)
 {
     /// <summary>Nothing in particular.</summary>
     public static TraceSubject None { get; } = new(TraceSubjectKind.None, 0, 0, 0, -1, -1, -1);

@@ -47,7 +47,9 @@ internal struct BoundingBox : IEquatable<BoundingBox>
         if (point.Z > Max.Z) Max.Z = point.Z;
     }
 
-    /// <summary>One of the eight corners: bit 0 of <paramref name="index"/> takes the larger x, bit 1 y, bit 2 z; 0 is <see cref="Min"/>.</summary>
+    /// <summary>
+    /// One of the eight corners: bit 0 of <paramref name="index"/> takes the larger x, bit 1 y, bit 2 z; 0 is <see cref="Min"/>.
+    /// </summary>
     public readonly Vector3 Corner(int index) => new(
         (index & 1) == 0 ? Min.X : Max.X, (index & 2) == 0 ? Min.Y : Max.Y, (index & 4) == 0 ? Min.Z : Max.Z);
 

@@ -19,7 +19,9 @@ internal static class CollisionPrimitives
         return (x * x) + (y * y) + (z * z) - (sum * sum) < RetailMath.Epsilon;
     }
 
-    /// <summary>Do two spheres, <paramref name="offset"/> apart and with <paramref name="radiusSum"/> together, overlap? Touching counts.</summary>
+    /// <summary>
+    /// Do two spheres, <paramref name="offset"/> apart and with <paramref name="radiusSum"/> together, overlap? Touching counts.
+    /// </summary>
     /// <remarks>Retail: CSphere::collides_with_sphere @0x005369E0.</remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool SphereCollidesWithSphere(in Vector3 offset, float radiusSum) =>
@@ -35,9 +37,12 @@ internal static class CollisionPrimitives
     /// <remarks>Retail: CCylSphere::collides_with_sphere @0x0053A880.</remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool CylinderCollidesWithSphere(float radius, in Vector3 offset, float radiusSum, float height) =>
-        (double)radiusSum * radiusSum >= ((double)offset.X * offset.X) + ((double)offset.Y * offset.Y) && IsLevelWith(radius, offset.Z, height);
+        (double)radiusSum * radiusSum >= ((double)offset.X * offset.X) + ((double)offset.Y * offset.Y) &&
+        IsLevelWith(radius, offset.Z, height);
 
-    /// <summary>Is a sphere whose centre is <paramref name="z"/> above a cylinder's low point beside the cylinder, not above or below it?</summary>
+    /// <summary>
+    /// Is a sphere whose centre is <paramref name="z"/> above a cylinder's low point beside the cylinder, not above or below it?
+    /// </summary>
     internal static bool IsLevelWith(float radius, double z, float height)
     {
         double half = height * 0.5;
@@ -61,7 +66,8 @@ internal static class CollisionPrimitives
     }
 
     /// <summary>
-    /// Does the ray <paramref name="origin"/> + t·<paramref name="direction"/> meet the sphere? False from inside; a sphere behind is met at a negative
+    /// Does the ray <paramref name="origin"/> + t·<paramref name="direction"/> meet the sphere? False from inside; a sphere behind is met
+    /// at a negative
     /// <paramref name="time"/>.
     /// </summary>
     /// <remarks>Retail: CSphere::sphere_intersects_ray @0x005377A0.</remarks>

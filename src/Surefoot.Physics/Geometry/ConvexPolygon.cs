@@ -57,8 +57,8 @@ internal readonly ref struct ConvexPolygon
     }
 
     /// <summary>
-    /// Does a sphere overlap the polygon by more than the tolerance? When it reaches the plane, <paramref name="contact"/> is the foot of the
-    /// perpendicular from its centre, also when the polygon itself is missed.
+    /// Does a sphere overlap the polygon by more than the tolerance? When it reaches the plane, <paramref name="contact"/> is the foot of
+    /// the perpendicular from its centre, also when the polygon itself is missed.
     /// </summary>
     /// <remarks>Retail: CPolygon::polygon_hits_sphere_slow_but_sure @0x00538A10.</remarks>
     public bool HitsSphere(in Sphere sphere, ref Vector3 contact)
@@ -70,8 +70,8 @@ internal readonly ref struct ConvexPolygon
         float radiusSquared = (float)((reach * reach) - (distance * distance));
         Vector3 n = Plane.Normal, c = sphere.Center;
         contact = new Vector3((float)(c.X - (distance * n.X)), (float)(c.Y - (distance * n.Y)), c.Z - (float)(distance * n.Z));
-        // The two walks round differently, and the second starts with "no": a foot of the perpendicular that is on the line of an edge to the last bit may
-        // be outside for the first and inside for the second, and is then missed. Retail's.
+        // The two walks round differently, and the second starts with "no": a foot of the perpendicular that is on the line of an edge to
+        // the last bit may be outside for the first and inside for the second, and is then missed. Retail's.
         return IsInsideEveryEdge(contact) || DiscTouches(contact, radiusSquared, false);
     }
 
@@ -99,7 +99,8 @@ internal readonly ref struct ConvexPolygon
         RetailMath.Dot(Plane.Normal, up) > allowance && HitsSphere(sphere);
 
     /// <summary>
-    /// Does the polygon support a foot of the sphere's radius, the centre carried along <paramref name="up"/> onto the plane? The distance along
+    /// Does the polygon support a foot of the sphere's radius, the centre carried along <paramref name="up"/> onto the plane? The distance
+    /// along
     /// <paramref name="up"/> does not matter, and a polygon that faces down is accepted.
     /// </summary>
     /// <remarks>Retail: CPolygon::check_walkable @0x00538E60.</remarks>
@@ -109,11 +110,12 @@ internal readonly ref struct ConvexPolygon
     /// <summary>The same for a foot of half the radius.</summary>
     /// <remarks>Retail: CPolygon::check_small_walkable @0x005390B0.</remarks>
     public bool SupportsSmallFoot(in Sphere sphere, in Vector3 up) =>
-        TryCarryOntoPlane(sphere.Center, up, out Vector3 point) && DiscTouches(point, (float)((double)sphere.Radius * sphere.Radius * 0.25), true);
+        TryCarryOntoPlane(sphere.Center, up, out Vector3 point) &&
+        DiscTouches(point, (float)((double)sphere.Radius * sphere.Radius * 0.25), true);
 
     /// <summary>
-    /// The first edge beyond which the sphere's centre lies, carried along <paramref name="up"/> onto the plane; <paramref name="normal"/> is that edge's
-    /// unit normal in the plane and points into the polygon. Untouched when the centre is inside.
+    /// The first edge beyond which the sphere's centre lies, carried along <paramref name="up"/> onto the plane; <paramref name="normal"/>
+    /// is that edge's unit normal in the plane and points into the polygon. Untouched when the centre is inside.
     /// </summary>
     /// <remarks>Retail: CPolygon::find_crossed_edge @0x00539300.</remarks>
     public bool FindCrossedEdge(in Sphere sphere, in Vector3 up, ref Vector3 normal)
@@ -123,7 +125,8 @@ internal readonly ref struct ConvexPolygon
         foreach (Vector3 corner in Corners)
         {
             Inward(corner - previous, out double mx, out double my, out double mz);
-            double side = (((double)point.Z - previous.Z) * mz) + (((double)point.Y - previous.Y) * my) + (((double)point.X - previous.X) * mx);
+            double side =
+                (((double)point.Z - previous.Z) * mz) + (((double)point.Y - previous.Y) * my) + (((double)point.X - previous.X) * mx);
             if (side < 0)
             {
                 normal = RetailMath.Normalize(new Vector3((float)mx, (float)my, (float)mz));
@@ -145,7 +148,8 @@ internal readonly ref struct ConvexPolygon
         foreach (Vector3 corner in Corners)
         {
             Inward(corner - previous, out double mx, out double my, out double mz);
-            if ((((double)point.Z - previous.Z) * mz) + (((double)point.Y - previous.Y) * my) + (((double)point.X - previous.X) * mx) < 0) return false;
+            if ((((double)point.Z - previous.Z) * mz) + (((double)point.Y - previous.Y) * my) + (((double)point.X - previous.X) * mx) < 0)
+                return false;
             previous = corner;
         }
 
@@ -158,8 +162,8 @@ internal readonly ref struct ConvexPolygon
     /// less than −0.5 of the movement would be left.
     /// </summary>
     /// <remarks>
-    /// Retail: CPolygon::adjust_sphere_to_plane @0x00538210. The interpolation may already be negative; then the accepted range is the other one,
-    /// and the formulas stay as they are.
+    /// Retail: CPolygon::adjust_sphere_to_plane @0x00538210. The interpolation may already be negative; then the accepted range is the
+    /// other one, and the formulas stay as they are.
     /// </remarks>
     public bool AdjustSphereToPlane(ref Sphere sphere, in Vector3 movement, ref float walkInterp)
     {
@@ -186,8 +190,8 @@ internal readonly ref struct ConvexPolygon
     }
 
     /// <summary>
-    /// The share of <paramref name="movement"/> after which a sphere starting at <paramref name="curr"/> touches the plane: exactly 1 when it overlaps the
-    /// plane already, 0 when it moves along it, otherwise unclamped.
+    /// The share of <paramref name="movement"/> after which a sphere starting at <paramref name="curr"/> touches the plane: exactly 1 when
+    /// it overlaps the plane already, 0 when it moves along it, otherwise unclamped.
     /// </summary>
     /// <remarks>Retail: CPolygon::adjust_sphere_to_poly @0x00538170.</remarks>
     public double TimeOfTouch(float radius, in Vector3 curr, in Vector3 movement)
@@ -204,7 +208,9 @@ internal readonly ref struct ConvexPolygon
     /// <param name="other">The body's other sphere; moved as well.</param>
     /// <param name="radius">How far from the plane the centre shall end, metres.</param>
     /// <param name="centerSolid">The centre was found inside matter.</param>
-    /// <param name="solidCheck">Centres inside matter count. The two reversals below are independent: both together push to the front.</param>
+    /// <param name="solidCheck">
+    /// Centres inside matter count. The two reversals below are independent: both together push to the front.
+    /// </param>
     /// <remarks>Retail: CPolygon::adjust_to_placement_poly @0x00538CE0.</remarks>
     public void PushOut(ref Sphere sphere, ref Sphere other, float radius, bool centerSolid, bool solidCheck)
     {
@@ -277,7 +283,8 @@ internal readonly ref struct ConvexPolygon
             double ex = (double)corner.X - previous.X, ey = (double)corner.Y - previous.Y, ez = (double)corner.Z - previous.Z;
             float mx = (float)((n.Y * ez) - (n.Z * ey)), my = (float)((n.Z * ex) - (n.X * ez));
             double mz = (n.X * ey) - (n.Y * ex);
-            double side = (((double)point.Z - previous.Z) * mz) + (((double)point.Y - previous.Y) * my) + (((double)point.X - previous.X) * mx);
+            double side =
+                (((double)point.Z - previous.Z) * mz) + (((double)point.Y - previous.Y) * my) + (((double)point.X - previous.X) * mx);
             if (!(side >= 0)) return false;
             previous = corner;
         }

@@ -12,7 +12,9 @@ public struct Frame : IEquatable<Frame>
 
     private Quaternion rotation;
 
-    /// <summary>A frame at <paramref name="origin"/> with the orientation <paramref name="rotation"/>, which should be of unit length.</summary>
+    /// <summary>
+    /// A frame at <paramref name="origin"/> with the orientation <paramref name="rotation"/>, which should be of unit length.
+    /// </summary>
     public Frame(Vector3 origin, Quaternion rotation)
     {
         Origin = origin;
@@ -108,8 +110,8 @@ public struct Frame : IEquatable<Frame>
     }
 
     /// <summary>
-    /// This frame carried by <paramref name="outer"/>: the origin goes through the outer frame, the orientations multiply and the product is made
-    /// a unit quaternion again.
+    /// This frame carried by <paramref name="outer"/>: the origin goes through the outer frame, the orientations multiply and the product
+    /// is made a unit quaternion again.
     /// </summary>
     /// <remarks>Retail: Frame::combine.</remarks>
     public static Frame Combine(in Frame outer, in Frame inner)
@@ -120,7 +122,10 @@ public struct Frame : IEquatable<Frame>
         return result;
     }
 
-    /// <summary>The inverse of <see cref="Combine"/> on the right: the frame that, followed by <paramref name="inner"/>, gives <paramref name="whole"/>.</summary>
+    /// <summary>
+    /// The inverse of <see cref="Combine"/> on the right: the frame that, followed by <paramref name="inner"/>, gives
+    /// <paramref name="whole"/>.
+    /// </summary>
     /// <remarks>Retail: Frame::subtract1.</remarks>
     internal static Frame Subtract(in Frame whole, in Frame inner)
     {
@@ -136,14 +141,18 @@ public struct Frame : IEquatable<Frame>
     internal readonly Quaternion RelativeRotation(in Frame other) =>
         Multiply(new Quaternion(-rotation.X, -rotation.Y, -rotation.Z, rotation.W), other.rotation);
 
-    /// <summary>Turns by a rotation vector (radians) given in the axes around the frame; nothing when it is shorter than the tolerance.</summary>
+    /// <summary>
+    /// Turns by a rotation vector (radians) given in the axes around the frame; nothing when it is shorter than the tolerance.
+    /// </summary>
     /// <remarks>Retail: Frame::grotate.</remarks>
     public void RotateGlobal(in Vector3 radians)
     {
         if (TryRotation(radians, out Quaternion q)) SetRotation(Multiply(q, rotation));
     }
 
-    /// <summary>Turns by a rotation vector (radians) given in the frame's own axes; nothing when it is shorter than the tolerance.</summary>
+    /// <summary>
+    /// Turns by a rotation vector (radians) given in the frame's own axes; nothing when it is shorter than the tolerance.
+    /// </summary>
     /// <remarks>Retail: Frame::rotate.</remarks>
     public void RotateLocal(in Vector3 radians)
     {
@@ -206,8 +215,10 @@ public struct Frame : IEquatable<Frame>
     /// <remarks>Retail: Frame::is_equal @0x00424C30.</remarks>
     internal static bool NearlyEqual(in Frame a, in Frame b) =>
         RetailMath.NearlyEqual(a.Origin, b.Origin) &&
-        Math.Abs((double)a.rotation.W - b.rotation.W) < RetailMath.Epsilon && Math.Abs((double)a.rotation.X - b.rotation.X) < RetailMath.Epsilon &&
-        Math.Abs((double)a.rotation.Y - b.rotation.Y) < RetailMath.Epsilon && Math.Abs((double)a.rotation.Z - b.rotation.Z) < RetailMath.Epsilon;
+        Math.Abs((double)a.rotation.W - b.rotation.W) < RetailMath.Epsilon &&
+        Math.Abs((double)a.rotation.X - b.rotation.X) < RetailMath.Epsilon &&
+        Math.Abs((double)a.rotation.Y - b.rotation.Y) < RetailMath.Epsilon &&
+        Math.Abs((double)a.rotation.Z - b.rotation.Z) < RetailMath.Epsilon;
 
     /// <inheritdoc/>
     public readonly bool Equals(Frame other) => Origin == other.Origin && rotation == other.rotation;

@@ -54,7 +54,9 @@ internal static class RetailMath
     /// <remarks>Retail: AC1Legacy::Vector3::normalize @0x00452400.</remarks>
     public static Vector3 Normalize(in Vector3 v) => Scale(v, 1.0 / Length(v));
 
-    /// <summary>Normalises <paramref name="v"/> unless it is shorter than <see cref="Epsilon"/>, or NaN; true when it was left as it is.</summary>
+    /// <summary>
+    /// Normalises <paramref name="v"/> unless it is shorter than <see cref="Epsilon"/>, or NaN; true when it was left as it is.
+    /// </summary>
     /// <remarks>Retail: AC1Legacy::Vector3::normalize_check_small @0x00452460.</remarks>
     public static bool NormalizeCheckSmall(ref Vector3 v)
     {

@@ -10,6 +10,7 @@ public record struct Sphere(Vector3 Center, float Radius)
     internal readonly void ThrowIfBad(string name)
     {
         if (!RetailMath.IsFinite(Center)) throw new ArgumentException("The centre of a sphere is not finite.", name);
-        if (!(Radius > 0) || !float.IsFinite(Radius)) throw new ArgumentException("The radius of a sphere is not a positive finite number.", name);
+        if (!(Radius > 0) || !float.IsFinite(Radius))
+            throw new ArgumentException("The radius of a sphere is not a positive finite number.", name);
     }
 }

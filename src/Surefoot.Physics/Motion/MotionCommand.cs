@@ -1,8 +1,8 @@
 namespace Surefoot.Physics.Motion;
 
 /// <summary>
-/// A motion as the wire and the motion tables name it. Only those that locomotion looks at have names here; every other 32-bit id is as valid.
-/// The high bits say what kind it is (<see cref="MotionCommands"/>).
+/// A motion as the wire and the motion tables name it. Only those that locomotion looks at have names here; every other 32-bit id is as
+/// valid. The high bits say what kind it is (<see cref="MotionCommands"/>).
 /// </summary>
 /// <remarks>Specification 01, 2.1.</remarks>
 public enum MotionCommand : uint

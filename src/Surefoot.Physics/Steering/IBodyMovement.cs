@@ -21,7 +21,9 @@ internal interface IBodyMovement
     /// <param name="offset">Starts as the identity.</param>
     void AccumulateRootMotion(float quantum, ref Frame offset);
 
-    /// <summary>Does what the animations passed in this quantum: called after the velocity was integrated and before the body is moved.</summary>
+    /// <summary>
+    /// Does what the animations passed in this quantum: called after the velocity was integrated and before the body is moved.
+    /// </summary>
     /// <param name="owner">The body.</param>
     /// <remarks>Retail: the animation hooks of CPhysicsObj::process_hooks @0x00511550.</remarks>
     void ProcessHooks(PhysicsBody owner)
@@ -29,8 +31,8 @@ internal interface IBodyMovement
     }
 
     /// <summary>
-    /// Frames of the body's parts as they are animated now, in the body's frame at scale 1, metres; empty when nothing animates them: they are then where they
-    /// were put down.
+    /// Frames of the body's parts as they are animated now, in the body's frame at scale 1, metres; empty when nothing animates them: they
+    /// are then where they were put down.
     /// </summary>
     ReadOnlySpan<Frame> PartFrames => [];
 

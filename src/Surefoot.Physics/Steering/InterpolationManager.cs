@@ -7,8 +7,7 @@ namespace Surefoot.Physics.Steering;
 
 /// <summary>
 /// Follows the positions that a server told, oldest first, at twice the body's running speed. Every fifth quantum it looks whether it got
-/// on; what it cannot reach it
-/// gives up, and after that it puts the body to the newest position: a blip.
+/// on; what it cannot reach it gives up, and after that it puts the body to the newest position: a blip.
 /// </summary>
 /// <remarks>
 /// Retail: InterpolationManager; specification 09, 3.2. Its nodes of jumps and velocities are left out: nothing in the client makes one.

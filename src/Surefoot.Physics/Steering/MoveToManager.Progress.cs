@@ -81,8 +81,7 @@ internal sealed partial class MoveToManager
     private void HandleMove()
     {
         // One set of parameters for the whole quantum: a left turn leaves its speed negative, and a run that ends in the same quantum is
-        // then stopped under the
-        // name of the walk, which stops nothing. Retail's bodies run on as well.
+        // then stopped under the name of the walk, which stops nothing. Retail's bodies run on as well.
         MovementParameters p = ParametersOfStops();
         p.Speed = mp.Speed;
         TurnOnTheWay(ref p);

@@ -80,8 +80,7 @@ internal sealed partial class MoveToManager
     /// <summary>Moves to a place.</summary>
     /// <remarks>
     /// Retail: MoveToManager::MoveToPosition @0x0052A240. The first look at the distance goes from centre to centre whatever the parameters
-    /// say: they are taken over
-    /// only after it.
+    /// say: they are taken over only after it.
     /// </remarks>
     internal void MoveToPosition(in Position place, in MovementParameters parameters)
     {
@@ -220,8 +219,7 @@ internal sealed partial class MoveToManager
 
     /// <summary>
     /// The references of progress become infinitely far. Moving away that looks like no progress from the second second on: load-bearing,
-    /// it is what makes a
-    /// fleeing body overshoot.
+    /// it is what makes a fleeing body overshoot.
     /// </summary>
     private void FollowTarget(in TargetInfo info)
     {

@@ -158,8 +158,8 @@ public sealed partial class MovementManager
     /// <param name="autonomous">The body's own player asked for it.</param>
     public void ApplyStyle(MotionCommand style, bool autonomous) => TryBeginUpdate(style, autonomous);
 
-    /// <summary>What every movement message begins with: a move-to and sticking end, and the style is taken. The style that a message leaves
-    /// out is <see cref="MotionCommand.None"/>; it stays as it is then (08, section 12, 1).</summary>
+    /// <summary>What every movement message begins with: a move-to and sticking end, and the style is taken. The style that a message
+    /// leaves out is <see cref="MotionCommand.None"/>; it stays as it is then (08, section 12, 1).</summary>
     /// <returns>False without an interpreter: such a body ignores the message.</returns>
     private bool TryBeginUpdate(MotionCommand style, bool autonomous)
     {

@@ -6,8 +6,7 @@ namespace Surefoot.Physics.Steering;
 
 /// <summary>
 /// What the managers know of their body and may do to it, and the managers themselves, each made when it is first needed. The abstract
-/// members are all that
-/// a body has to offer; everything else in this folder is written on top of them.
+/// members are all that a body has to offer; everything else in this folder is written on top of them.
 /// </summary>
 /// <remarks>Retail: the members of CPhysicsObj that its managers use; specification 09 and 09b.</remarks>
 internal abstract partial class SteeredBody

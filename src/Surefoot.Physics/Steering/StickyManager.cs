@@ -71,8 +71,7 @@ internal sealed class StickyManager(SteeredBody body)
     /// <summary>Replaces place and heading of a quantum's motion.</summary>
     /// <remarks>
     /// Retail: StickyManager::adjust_offset @0x00555430. A body deep inside its target first moves further in: the way back is taken only
-    /// when one quantum is enough
-    /// for it.
+    /// when one quantum is enough for it.
     /// </remarks>
     internal void AdjustOffset(ref Frame offset, float quantum)
     {

@@ -21,8 +21,7 @@ internal struct Voyeur
 
 /// <summary>
 /// The voyeurs of a body in the order in which retail's hash table walks them: four buckets by (id xor id &gt;&gt; 16) mod 4, the newest of
-/// each first. Telling one may
-/// take it off the list and put it on again while the list is walked.
+/// each first. Telling one may take it off the list and put it on again while the list is walked.
 /// </summary>
 internal sealed class VoyeurList
 {

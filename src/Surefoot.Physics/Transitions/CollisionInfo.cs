@@ -51,12 +51,12 @@ internal sealed class CollisionInfo
     public bool CollidedWithEnvironment { get; set; }
 
     /// <summary>
-    /// The mover loses its velocity, wherever it ends and even if it stays where it began: a sub-step was taken back while it rested on something, or a landing was
-    /// refused. Whoever ran the transition for a live body stops that body before anything else.
+    /// The mover loses its velocity, wherever it ends and even if it stays where it began: a sub-step was taken back while it rested on
+    /// something, or a landing was refused. Whoever ran the transition for a live body stops that body before anything else.
     /// </summary>
     /// <remarks>
-    /// Retail: OBJECTINFO::kill_velocity @0x0050CFE0, which stops the body at once. Nothing in a transition reads the body's velocity, so it makes no difference
-    /// to wait for the end; and a sweep that only asks changes nobody.
+    /// Retail: OBJECTINFO::kill_velocity @0x0050CFE0, which stops the body at once. Nothing in a transition reads the body's velocity, so
+    /// it makes no difference to wait for the end; and a sweep that only asks changes nobody.
     /// </remarks>
     public bool StopsMover { get; internal set; }
 
@@ -127,7 +127,9 @@ internal sealed class CollisionInfo
         CollisionNormal = RetailMath.NormalizeCheckSmall(ref normal) ? Vector3.Zero : normal;
     }
 
-    /// <summary>Takes the horizontal part of <paramref name="normal"/> made unit; a vertical one becomes zero, which blocks nothing.</summary>
+    /// <summary>
+    /// Takes the horizontal part of <paramref name="normal"/> made unit; a vertical one becomes zero, which blocks nothing.
+    /// </summary>
     /// <remarks>Retail: COLLISIONINFO::set_sliding_normal @0x0050A060.</remarks>
     public void SetSlidingNormal(Vector3 normal)
     {

@@ -66,7 +66,10 @@ internal sealed class ObjectInfo
     }
 
     /// <summary>True when a missile passes <paramref name="other"/>.</summary>
-    /// <remarks>Retail: OBJECTINFO::missile_ignore @0x0050CEB0, without what it does for a missile that is aimed at somebody: nothing in the client aims.</remarks>
+    /// <remarks>
+    /// Retail: OBJECTINFO::missile_ignore @0x0050CEB0, without what it does for a missile that is aimed at somebody: nothing in the client
+    /// aims.
+    /// </remarks>
     internal bool MissileIgnores(WorldObject other)
     {
         if (other.State.Has(PhysicsState.Missile)) return true;

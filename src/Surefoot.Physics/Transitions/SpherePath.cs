@@ -18,8 +18,8 @@ internal sealed class SpherePath
     internal readonly Sphere[] LocalSpheres = new Sphere[MaxSpheres];
 
     /// <summary>
-    /// How far from the body's origin its spheres reach however it is turned, metres. Each counts with the foot's radius if that is the larger one: balls and
-    /// cylinders meet the head with it.
+    /// How far from the body's origin its spheres reach however it is turned, metres. Each counts with the foot's radius if that is the
+    /// larger one: balls and cylinders meet the head with it.
     /// </summary>
     internal double LocalReach;
     internal readonly Sphere[] GlobalSpheres = new Sphere[MaxSpheres];
@@ -106,7 +106,8 @@ internal sealed class SpherePath
         LocalLowPoint.Z -= LocalSpheres[0].Radius;
         LocalReach = 0;
         foreach (ref readonly Sphere sphere in LocalSpheres.AsSpan(0, SphereCount))
-            LocalReach = Math.Max(LocalReach, RetailMath.Length(sphere.Center) + Math.Max(Math.Abs(sphere.Radius), Math.Abs(LocalSpheres[0].Radius)));
+            LocalReach = Math.Max(LocalReach,
+                RetailMath.Length(sphere.Center) + Math.Max(Math.Abs(sphere.Radius), Math.Abs(LocalSpheres[0].Radius)));
     }
 
     /// <summary>Sets where the path begins and ends; without a begin the body is placed at the end.</summary>
@@ -256,7 +257,9 @@ internal sealed class SpherePath
     {
         Vector3 block = CurrToCheckBlockOffset;
         return new Vector3(
-            (float)(block.X + ((double)center.X - curr.X)), (float)(block.Y + ((double)center.Y - curr.Y)), (float)(block.Z + ((double)center.Z - curr.Z)));
+            (float)(block.X + ((double)center.X - curr.X)),
+            (float)(block.Y + ((double)center.Y - curr.Y)),
+            (float)(block.Z + ((double)center.Z - curr.Z)));
     }
 
     /// <summary>Displacement of a sphere from the accepted position to the position under test.</summary>

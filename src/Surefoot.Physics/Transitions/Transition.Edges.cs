@@ -8,7 +8,9 @@ namespace Surefoot.Physics.Transitions;
 internal sealed partial class Transition
 {
     /// <summary>The body stood and found no floor within reach. True ends the insertion with <paramref name="state"/>.</summary>
-    /// <remarks>Retail: CTransition::edge_slide @0x0050B3D0. In each case the position is restored before the slide, which therefore survives.</remarks>
+    /// <remarks>
+    /// Retail: CTransition::edge_slide @0x0050B3D0. In each case the position is restored before the slide, which therefore survives.
+    /// </remarks>
     private bool EdgeSlide(ref TransitionState state, float height, float walkableZ)
     {
         if (!Object.Has(MoverFlags.OnWalkable) || !Object.Has(MoverFlags.EdgeSlide))
@@ -88,8 +90,8 @@ internal sealed partial class Transition
 
     /// <summary>Pushes the position under test along the foot or the brink of a slope that is too steep.</summary>
     /// <remarks>
-    /// Retail: CTransition::cliff_slide @0x0050A6D0. For a slope that rises ahead the push doubles the sub-step instead of removing it; that
-    /// stop-and-go along steep hillsides is retail's (specification 03, 4.7).
+    /// Retail: CTransition::cliff_slide @0x0050A6D0. For a slope that rises ahead the push doubles the sub-step instead of removing it;
+    /// that stop-and-go along steep hillsides is retail's (specification 03, 4.7).
     /// </remarks>
     internal TransitionState CliffSlide(in Plane plane)
     {

@@ -14,8 +14,8 @@ internal sealed partial class Transition
     private const float AirborneProbe = 0.04f;
 
     /// <summary>
-    /// Tries the check position up to <paramref name="attempts"/> times: first its cells, then, when all are free, the landing, the deferred
-    /// hit, and the floor under the feet.
+    /// Tries the check position up to <paramref name="attempts"/> times: first its cells, then, when all are free, the landing, the
+    /// deferred hit, and the floor under the feet.
     /// </summary>
     /// <remarks>Retail: CTransition::transitional_insert @0x0050B6F0. The order of the checks is load-bearing.</remarks>
     private TransitionState TransitionalInsert(int attempts)
@@ -52,7 +52,8 @@ internal sealed partial class Transition
                 continue;
             }
 
-            if (Collision.ContactPlaneValid || !Object.Has(MoverFlags.Contact) || Path.SteppingDown || Path.CheckCell is null || !Object.KeepsToGround)
+            if (Collision.ContactPlaneValid || !Object.Has(MoverFlags.Contact) || Path.SteppingDown || Path.CheckCell is null ||
+                !Object.KeepsToGround)
                 return TransitionState.OK;
 
             if (KeepToGround(out float height, out float walkableZ)) return TransitionState.OK;
@@ -62,7 +63,9 @@ internal sealed partial class Transition
         return state;
     }
 
-    /// <summary>An airborne body touched something: it lands where there is footing and room, otherwise the position is taken back.</summary>
+    /// <summary>
+    /// An airborne body touched something: it lands where there is footing and room, otherwise the position is taken back.
+    /// </summary>
     private TransitionState ConfirmLanding(int attempts)
     {
         Path.Collide = false;
@@ -128,8 +131,8 @@ internal sealed partial class Transition
     }
 
     /// <summary>
-    /// One probe down by <paramref name="height"/>, or, where that is more than the sphere's diameter, two of half, the second going on from the
-    /// first. The height is left at what one probe used.
+    /// One probe down by <paramref name="height"/>, or, where that is more than the sphere's diameter, two of half, the second going on
+    /// from the first. The height is left at what one probe used.
     /// </summary>
     private bool ProbeDown(ref float height, float walkableZ)
     {
@@ -169,8 +172,8 @@ internal sealed partial class Transition
 
     /// <summary>Tests the other cells that the spheres reach, and finds the cell the body is in now.</summary>
     /// <remarks>
-    /// Retail: CTransition::check_other_cells @0x0050AE50. A step-up inside a cell's test rebuilds the same list; the loop carries on with its
-    /// index over the new content, as retail does.
+    /// Retail: CTransition::check_other_cells @0x0050AE50. A step-up inside a cell's test rebuilds the same list; the loop carries on with
+    /// its index over the new content, as retail does.
     /// </remarks>
     private TransitionState CheckOtherCells(ObjCell? current)
     {

@@ -9,8 +9,8 @@ namespace Surefoot.Physics.Transitions;
 internal sealed partial class Transition
 {
     /// <summary>
-    /// Puts the body at the requested position, or, where sliding is allowed, at the first free one of the rings around it; then sets it on the
-    /// floor when one is within the step-down height.
+    /// Puts the body at the requested position, or, where sliding is allowed, at the first free one of the rings around it; then sets it on
+    /// the floor when one is within the step-down height.
     /// </summary>
     /// <remarks>Retail: CTransition::find_placement_position @0x0050C170.</remarks>
     private bool FindPlacementPosition()
@@ -111,7 +111,8 @@ internal sealed partial class Transition
     }
 
     /// <summary>
-    /// Do the spheres, where they are, reach into anything solid? Nobody is asked whether the mover may be there, and open water stops nobody.
+    /// Do the spheres, where they are, reach into anything solid? Nobody is asked whether the mover may be there, and open water stops
+    /// nobody.
     /// </summary>
     /// <param name="loaded">False when they reach into a cell that is not loaded.</param>
     internal bool Overlaps(out bool loaded)
@@ -148,7 +149,8 @@ internal sealed partial class Transition
     {
         if (Path.CheckCell is null) return TransitionState.Collided;
         if (state == TransitionState.OK) AcceptCheckPos();
-        else if (adjust && state is (TransitionState.Adjusted or TransitionState.Slid)) return ValidatePlacement(PlacementInsert(), adjust: false);
+        else if (adjust && state is (TransitionState.Adjusted or TransitionState.Slid))
+            return ValidatePlacement(PlacementInsert(), adjust: false);
         return state;
     }
 

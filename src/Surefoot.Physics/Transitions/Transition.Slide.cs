@@ -30,7 +30,8 @@ internal sealed partial class Transition
         {
             if (!slides) return v;
             double k = RetailMath.Dot(v, wall);
-            v = new Vector3((float)(v.X - (k * wall.X)), (float)((double)v.Y - (float)(k * wall.Y)), (float)((double)v.Z - (float)(k * wall.Z)));
+            v = new Vector3(
+                (float)(v.X - (k * wall.X)), (float)((double)v.Y - (float)(k * wall.Y)), (float)((double)v.Z - (float)(k * wall.Z)));
             Trace?.Bent(this, TraceReason.AlongWall, wall, v);
             return v;
         }
@@ -47,7 +48,9 @@ internal sealed partial class Transition
         {
             Vector3 n = floor.Normal;
             v = new Vector3(
-                (float)(v.X - ((double)into * n.X)), (float)(v.Y - ((double)into * n.Y)), (float)((double)v.Z - (float)((double)into * n.Z)));
+                (float)(v.X - ((double)into * n.X)),
+                (float)(v.Y - ((double)into * n.Y)),
+                (float)((double)v.Z - (float)((double)into * n.Z)));
             Trace?.Bent(this, TraceReason.AlongFloor, n, v);
         }
         else
@@ -70,7 +73,8 @@ internal sealed partial class Transition
         Vector3 block = CellIds.BlockOffset(Path.CheckPos.CellId, Collision.ContactPlaneCellId);
         Sphere foot = Path.GlobalSpheres[0];
         Vector3 n = floor.Normal;
-        double height = (n.X * ((double)foot.Center.X - block.X)) + (n.Y * ((double)foot.Center.Y - block.Y)) + ((double)n.Z * foot.Center.Z) + floor.D;
+        double height =
+            (n.X * ((double)foot.Center.X - block.X)) + (n.Y * ((double)foot.Center.Y - block.Y)) + ((double)n.Z * foot.Center.Z) + floor.D;
         if (height >= (double)foot.Radius - RetailMath.Epsilon) return;
         double lift = (foot.Radius - height) / n.Z;
         if (!(foot.Radius > Math.Abs(lift))) return;

@@ -40,8 +40,8 @@ internal sealed partial class Transition
     }
 
     /// <summary>
-    /// Probes for footing within <paramref name="height"/> below (while stepping up: above) the check position. The position is left where the
-    /// probe ended; callers restore it or probe on.
+    /// Probes for footing within <paramref name="height"/> below (while stepping up: above) the check position. The position is left where
+    /// the probe ended; callers restore it or probe on.
     /// </summary>
     /// <returns>True when footing was found and the place is free.</returns>
     /// <remarks>Retail: CTransition::step_down @0x0050B2A0.</remarks>

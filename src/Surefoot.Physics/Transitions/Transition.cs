@@ -40,7 +40,9 @@ internal sealed partial class Transition
     public TraceBuffer? Trace { get; set; }
 
     /// <summary>Makes the object as good as new.</summary>
-    /// <remarks>Retail: CTransition::init @0x00509DD0. Planes and normals of an earlier user are zeroed too (specification 03, 7.1).</remarks>
+    /// <remarks>
+    /// Retail: CTransition::init @0x00509DD0. Planes and normals of an earlier user are zeroed too (specification 03, 7.1).
+    /// </remarks>
     internal void Reset()
     {
         Object.Reset();

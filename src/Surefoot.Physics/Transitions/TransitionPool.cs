@@ -4,7 +4,9 @@ using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Transitions;
 
-/// <summary>The work objects of one world, by nesting level; the eleventh is refused. A result stays readable until its level is used again.</summary>
+/// <summary>
+/// The work objects of one world, by nesting level; the eleventh is refused. A result stays readable until its level is used again.
+/// </summary>
 /// <remarks>Retail: CTransition::makeTransition @0x0050B150, cleanupTransition @0x00509DC0.</remarks>
 internal sealed class TransitionPool(ICellWorld world)
 {

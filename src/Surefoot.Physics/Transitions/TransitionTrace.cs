@@ -17,11 +17,12 @@ internal static class TransitionTrace
         trace.Add(Accepted(t, TraceKind.SweepBegins, TraceSubject.None) with { Offset = t.Path.BeginPos.OffsetTo(t.Path.EndPos) });
     }
 
-    internal static void SweepEnds(this TraceBuffer trace, Transition t, bool found) => trace.Add(Resting(trace, t, TraceKind.SweepEnds) with
-    {
-        Succeeded = found,
-        Reason = t.Path.CurrCell is null ? TraceReason.NotLoaded : TraceReason.None,
-    });
+    internal static void SweepEnds(this TraceBuffer trace, Transition t, bool found) =>
+        trace.Add(Resting(trace, t, TraceKind.SweepEnds) with
+        {
+            Succeeded = found,
+            Reason = t.Path.CurrCell is null ? TraceReason.NotLoaded : TraceReason.None,
+        });
 
     internal static void SubStepBegins(this TraceBuffer trace, Transition t, int index, int count, in Vector3 offset) =>
         trace.Add(Resting(trace, t, TraceKind.SubStepBegins) with { Index = index, Count = count, Offset = offset });
@@ -30,7 +31,8 @@ internal static class TransitionTrace
     internal static void SubStepEnds(this TraceBuffer trace, Transition t, TransitionState answer, TraceReason reason = TraceReason.None)
     {
         if (t.Collision.ContactPlaneValid) trace.LastContact = trace.Contact;
-        trace.Add(Resting(trace, t, TraceKind.SubStepEnds) with { Answer = answer, Succeeded = answer == TransitionState.OK, Reason = reason });
+        trace.Add(
+            Resting(trace, t, TraceKind.SubStepEnds) with { Answer = answer, Succeeded = answer == TransitionState.OK, Reason = reason });
     }
 
     internal static void Bent(this TraceBuffer trace, Transition t, TraceReason reason, in Vector3 normal, in Vector3 offset) =>
@@ -46,14 +48,16 @@ internal static class TransitionTrace
         trace.Add(Tried(t, TraceKind.CellAnswered, SubjectOf(cell)) with { Answer = answer });
 
     /// <summary>The centre of the foot came to be in another cell, or in none that is loaded.</summary>
-    internal static void CellEntered(this TraceBuffer trace, Transition t, ObjCell? cell) => trace.Add(
-        Tried(t, TraceKind.CellEntered, cell is null ? TraceSubject.None : SubjectOf(cell)) with { Reason = cell is null ? TraceReason.NotLoaded : TraceReason.None });
+    internal static void CellEntered(this TraceBuffer trace, Transition t, ObjCell? cell) => trace.Add(cell is null
+        ? Tried(t, TraceKind.CellEntered, TraceSubject.None) with { Reason = TraceReason.NotLoaded }
+        : Tried(t, TraceKind.CellEntered, SubjectOf(cell)));
 
     /// <summary>An object of the cell is about to be asked.</summary>
     internal static void Asks(this TraceBuffer trace, WorldObject target) => trace.Subject = SubjectOf(trace, target);
 
     /// <summary>The shell of a building is about to be asked.</summary>
-    internal static void AsksBuilding(this TraceBuffer trace, StaticObject shell) => trace.Subject = SubjectOf(trace, shell) with { Kind = TraceSubjectKind.Building };
+    internal static void AsksBuilding(this TraceBuffer trace, StaticObject shell) =>
+        trace.Subject = SubjectOf(trace, shell) with { Kind = TraceSubjectKind.Building };
 
     /// <summary>A part of the object is about to be asked.</summary>
     internal static void AsksPart(this TraceBuffer trace, int part) =>
@@ -78,7 +82,8 @@ internal static class TransitionTrace
     internal static void SkippedPart(this TraceBuffer trace, Transition t, int part) =>
         trace.Add(Tried(t, TraceKind.Skipped, trace.Subject with { Part = (short)part }) with { Reason = TraceReason.TooFar });
 
-    internal static void ObjectAnswered(this TraceBuffer trace, Transition t, WorldObject target, TransitionState answer, TraceReason reason) =>
+    internal static void ObjectAnswered(
+        this TraceBuffer trace, Transition t, WorldObject target, TransitionState answer, TraceReason reason) =>
         trace.Add(Tried(t, TraceKind.ObjectAnswered, SubjectOf(trace, target)) with { Answer = answer, Reason = reason });
 
     /// <summary>A sphere met a polygon of the tree whose frame the local-space spheres are in.</summary>
@@ -95,7 +100,8 @@ internal static class TransitionTrace
     }
 
     /// <summary>A sphere is in the way of a tree, which does not say with which polygon.</summary>
-    internal static void HitTree(this TraceBuffer trace, Transition t, TraceReason reason) => trace.Add(Met(t, trace.Subject, default, 0, reason));
+    internal static void HitTree(this TraceBuffer trace, Transition t, TraceReason reason) =>
+        trace.Add(Met(t, trace.Subject, default, 0, reason));
 
     /// <summary>The foot met the ground.</summary>
     internal static void HitGround(this TraceBuffer trace, Transition t, in Plane plane, uint cellId, double gap, TraceReason reason) =>
@@ -130,10 +136,12 @@ internal static class TransitionTrace
     internal static void ContactTaken(this TraceBuffer trace, Transition t) => TakeContact(trace, t, trace.Subject, TraceReason.None);
 
     /// <summary>The body rests on the plane of the last accepted sub-step again.</summary>
-    internal static void ContactRegained(this TraceBuffer trace, Transition t) => TakeContact(trace, t, trace.LastContact, TraceReason.Regained);
+    internal static void ContactRegained(this TraceBuffer trace, Transition t) =>
+        TakeContact(trace, t, trace.LastContact, TraceReason.Regained);
 
     /// <summary>The body rests on a plane that nothing has.</summary>
-    internal static void ContactMadeUp(this TraceBuffer trace, Transition t) => TakeContact(trace, t, TraceSubject.None, TraceReason.MadeUp);
+    internal static void ContactMadeUp(this TraceBuffer trace, Transition t) =>
+        TakeContact(trace, t, TraceSubject.None, TraceReason.MadeUp);
 
     /// <summary>A response asks further questions; <see cref="Settles"/> says what came of it.</summary>
     internal static void Tries(this TraceBuffer trace, Transition t, TransitionResponse response, in Vector3 normal)
@@ -144,19 +152,30 @@ internal static class TransitionTrace
 
     /// <summary>What came of a response that asked further questions.</summary>
     internal static void Settles(
-        this TraceBuffer trace, Transition t, TransitionResponse response, in Vector3 normal, bool succeeded, TraceReason reason = TraceReason.None)
+        this TraceBuffer trace, Transition t, TransitionResponse response, in Vector3 normal, bool succeeded,
+        TraceReason reason = TraceReason.None)
     {
         trace.Resume();
         trace.Responded(t, response, normal, succeeded, reason);
     }
 
     internal static void Responded(
-        this TraceBuffer trace, Transition t, TransitionResponse response, in Vector3 normal, bool succeeded, TraceReason reason = TraceReason.None) =>
-        trace.Add(Answering(t, TraceKind.Responded, trace.Subject, response, normal) with { Succeeded = succeeded, Reason = succeeded ? TraceReason.None : reason });
+        this TraceBuffer trace, Transition t, TransitionResponse response, in Vector3 normal, bool succeeded,
+        TraceReason reason = TraceReason.None) =>
+        trace.Add(
+            Answering(t, TraceKind.Responded, trace.Subject, response, normal) with
+            {
+                Succeeded = succeeded,
+                Reason = succeeded ? TraceReason.None : reason,
+            });
 
     /// <summary>The body leaves the edge behind.</summary>
     internal static void WalkedOff(this TraceBuffer trace, Transition t, TraceReason reason) =>
-        trace.Add(Answering(t, TraceKind.Responded, trace.Subject, TransitionResponse.EdgeSlide, Vector3.Zero) with { Succeeded = true, Reason = reason });
+        trace.Add(Answering(t, TraceKind.Responded, trace.Subject, TransitionResponse.EdgeSlide, Vector3.Zero) with
+        {
+            Succeeded = true,
+            Reason = reason,
+        });
 
     private static void Remember(TraceBuffer trace, TraceReason reason)
     {
@@ -167,7 +186,13 @@ internal static class TransitionTrace
     private static void TakeContact(TraceBuffer trace, Transition t, in TraceSubject subject, TraceReason reason)
     {
         trace.Contact = subject;
-        trace.Add(Tried(t, TraceKind.ContactPlane, subject) with { Reason = reason, Plane = t.Collision.ContactPlane, PlaneCellId = t.Collision.ContactPlaneCellId });
+        trace.Add(
+            Tried(t, TraceKind.ContactPlane, subject) with
+            {
+                Reason = reason,
+                Plane = t.Collision.ContactPlane,
+                PlaneCellId = t.Collision.ContactPlaneCellId,
+            });
     }
 
     private static TraceEntry Resting(TraceBuffer trace, Transition t, TraceKind kind) => !t.Collision.ContactPlaneValid
@@ -177,8 +202,13 @@ internal static class TransitionTrace
     private static TraceEntry Met(Transition t, in TraceSubject subject, in Plane plane, float gap, TraceReason reason) =>
         Tried(t, TraceKind.Hit, subject) with { Plane = plane, PlaneCellId = t.Path.CheckPos.CellId, Gap = gap, Reason = reason };
 
-    private static TraceEntry Answering(Transition t, TraceKind kind, in TraceSubject subject, TransitionResponse response, Vector3 normal) =>
-        Tried(t, kind, subject) with { Response = response, Plane = new Plane(RetailMath.NormalizeCheckSmall(ref normal) ? Vector3.Zero : normal, 0) };
+    private static TraceEntry Answering(
+        Transition t, TraceKind kind, in TraceSubject subject, TransitionResponse response, Vector3 normal) =>
+        Tried(t, kind, subject) with
+        {
+            Response = response,
+            Plane = new Plane(RetailMath.NormalizeCheckSmall(ref normal) ? Vector3.Zero : normal, 0),
+        };
 
     private static TraceEntry Tried(Transition t, TraceKind kind, in TraceSubject subject) => At(t, kind, subject, t.Path.CheckPos);
 

@@ -2,7 +2,9 @@ using Surefoot.Physics.Geometry;
 
 namespace Surefoot.Physics.World;
 
-/// <summary>A building: its shell, which stands in one square of land, and the portals through which its rooms are entered from outdoors.</summary>
+/// <summary>
+/// A building: its shell, which stands in one square of land, and the portals through which its rooms are entered from outdoors.
+/// </summary>
 /// <remarks>Retail: CBuildingObj.</remarks>
 public sealed class BuildingObject
 {

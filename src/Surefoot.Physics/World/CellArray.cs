@@ -10,7 +10,8 @@ internal sealed class CellArray
     public bool AddedOutside { get; set; }
 
     /// <summary>
-    /// The outdoor cells of an object's parts could not be told, because the one under its first part is not loaded; the list grows when it is.
+    /// The outdoor cells of an object's parts could not be told, because the one under its first part is not loaded; the list grows when it
+    /// is.
     /// </summary>
     internal bool LacksGround { get; set; }
 

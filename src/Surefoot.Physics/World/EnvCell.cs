@@ -69,7 +69,8 @@ public sealed class EnvCell : ObjCell
         for (int i = 0; i < count; i++)
         {
             // A list that names a square of land, which no file should, finds nothing: retail looks among the rooms only.
-            if (world.GetVisible(searchVisible ? stabList[i] : portals[i].OtherCellId) is EnvCell room && room.PointInCell(point)) return room;
+            if (world.GetVisible(searchVisible ? stabList[i] : portals[i].OtherCellId) is EnvCell room && room.PointInCell(point))
+                return room;
         }
 
         return null;
@@ -77,8 +78,8 @@ public sealed class EnvCell : ObjCell
 
     /// <inheritdoc/>
     /// <remarks>
-    /// Retail: CEnvCell::find_transit_cells @0x0052C820. The spheres are taken as they come, without any offset between blocks: an interior is only
-    /// found while the mover's position is expressed in the interior's block.
+    /// Retail: CEnvCell::find_transit_cells @0x0052C820. The spheres are taken as they come, without any offset between blocks: an interior
+    /// is only found while the mover's position is expressed in the interior's block.
     /// </remarks>
     internal override void FindTransitCells(ICellWorld world, in Position owner, ReadOnlySpan<Sphere> spheres, CellArray array)
     {
@@ -180,7 +181,8 @@ public sealed class EnvCell : ObjCell
         foreach (ref readonly Sphere sphere in spheres)
         {
             // Differences and z unrounded: retail's.
-            double x = (double)sphere.Center.X - frame.Origin.X, y = (double)sphere.Center.Y - frame.Origin.Y, z = (double)sphere.Center.Z - frame.Origin.Z;
+            double x = (double)sphere.Center.X - frame.Origin.X, y = (double)sphere.Center.Y - frame.Origin.Y,
+                z = (double)sphere.Center.Z - frame.Origin.Z;
             float localX = (float)((frame.XAxis.X * x) + (frame.XAxis.Y * y) + (frame.XAxis.Z * z));
             float localY = (float)((frame.YAxis.X * x) + (frame.YAxis.Y * y) + (frame.YAxis.Z * z));
             double localZ = (frame.ZAxis.X * x) + (frame.ZAxis.Y * y) + (frame.ZAxis.Z * z);

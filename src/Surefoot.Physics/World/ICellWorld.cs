@@ -16,8 +16,8 @@ internal interface ICellWorld
     ObjCell? GetVisible(uint cellId);
 
     /// <summary>
-    /// Rebuilds a list around spheres: the owner's cell, or the squares of land under the spheres, and every cell they reach from there. The home is the first
-    /// room that contains the centre of sphere 0, else the last square of land that does.
+    /// Rebuilds a list around spheres: the owner's cell, or the squares of land under the spheres, and every cell they reach from there.
+    /// The home is the first room that contains the centre of sphere 0, else the last square of land that does.
     /// </summary>
     /// <param name="array">The list.</param>
     /// <param name="position">Cell and frame of the spheres' owner; its block is the one the spheres are in.</param>

@@ -1,6 +1,8 @@
 namespace Surefoot.Physics.World;
 
-/// <summary>One loaded landblock: its ground, all its rooms, its buildings and its static objects. Loaded and unloaded as a whole.</summary>
+/// <summary>
+/// One loaded landblock: its ground, all its rooms, its buildings and its static objects. Loaded and unloaded as a whole.
+/// </summary>
 /// <remarks>Retail: CLandBlock.</remarks>
 public sealed class Landblock
 {
@@ -44,11 +46,14 @@ public sealed class Landblock
     internal ObjCell? Find(uint cellId)
     {
         uint index = cellId & 0xFFFF;
-        if (index >= CellIds.FirstIndoor) return index - CellIds.FirstIndoor < (uint)roomsByIndex.Length ? roomsByIndex[index - CellIds.FirstIndoor] : null;
+        if (index >= CellIds.FirstIndoor)
+            return index - CellIds.FirstIndoor < (uint)roomsByIndex.Length ? roomsByIndex[index - CellIds.FirstIndoor] : null;
         return index - 1 < TerrainSurface.CellCount ? land[index - 1] : null;
     }
 
-    /// <summary>The square of land of this block under a place given in its coordinates, null when the place is over another block.</summary>
+    /// <summary>
+    /// The square of land of this block under a place given in its coordinates, null when the place is over another block.
+    /// </summary>
     internal LandCell? LandCellUnder(in Position place)
     {
         uint id = CellIds.LandblockRecord(Id);

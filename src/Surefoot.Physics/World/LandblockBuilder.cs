@@ -96,7 +96,7 @@ internal sealed class LandblockBuilder(PhysicsDataCache cache, RegionAsset regio
         return (setup, place, cell);
     }
 
-    /// <summary>The place that a record gives to a thing; null when its numbers are none and it is left out.</summary>
+    /// <summary>The place that a record gives to a thing; null when a number of it is not finite and it is left out.</summary>
     private static Position? Seat(LeftOutKind kind, uint modelId, uint cellId, in DatFrame frame, DatRecord record, LandblockFaults faults)
     {
         try

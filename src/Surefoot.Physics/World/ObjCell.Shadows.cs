@@ -13,8 +13,9 @@ public abstract partial class ObjCell
     internal int ShadowCount { get; private set; }
 
     /// <summary>
-    /// An object listed here. Statics come first, in the fixed order of <see cref="StaticObject.Order"/>; bodies follow in the order of coming, disturbed by
-    /// retail's way of removing: the last one takes the free slot. The order is observable, because a test ends at the first obstacle.
+    /// An object listed here. Statics come first, in the fixed order of <see cref="StaticObject.Order"/>; bodies follow in the order of
+    /// coming, disturbed by retail's way of removing: the last one takes the free slot. The order is observable, because a test ends at the
+    /// first obstacle.
     /// </summary>
     internal WorldObject ShadowAt(int index) => shadows[index].Object;
 

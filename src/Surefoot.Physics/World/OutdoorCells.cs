@@ -4,12 +4,14 @@ using Surefoot.Physics.Geometry;
 namespace Surefoot.Physics.World;
 
 /// <summary>Which squares of land spheres and parts reach. Cells that are not loaded are listed without a cell.</summary>
-/// <remarks>Retail: CLandCell::add_all_outside_cells and what it calls; specification 05, 4.10. The order of the list is observable.</remarks>
+/// <remarks>
+/// Retail: CLandCell::add_all_outside_cells and what it calls; specification 05, 4.10. The order of the list is observable.
+/// </remarks>
 internal static class OutdoorCells
 {
     /// <summary>
-    /// Cells that an object can reach on each side of the one under it, 768 m. Retail knows no limit; a hostile mesh of kilometres would make it list
-    /// the whole map.
+    /// Cells that an object can reach on each side of the one under it, 768 m. Retail knows no limit; a hostile mesh of kilometres would
+    /// make it list the whole map.
     /// </summary>
     private const int MaxReach = 32;
 
@@ -25,7 +27,8 @@ internal static class OutdoorCells
         {
             uint id = position.CellId;
             Vector3 origin = position.Frame.Origin;
-            if (CellIds.AdjustToOutside(ref id, ref origin) && CellIds.TryLandCoordinates(id, out int x, out int y)) Add(world, array, x, y);
+            if (CellIds.AdjustToOutside(ref id, ref origin) && CellIds.TryLandCoordinates(id, out int x, out int y))
+                Add(world, array, x, y);
             return;
         }
 
@@ -41,7 +44,9 @@ internal static class OutdoorCells
         }
     }
 
-    /// <summary>Adds the rectangle of cells under the boxes of an object's parts, the cell under the first part included; once for each list.</summary>
+    /// <summary>
+    /// Adds the rectangle of cells under the boxes of an object's parts, the cell under the first part included; once for each list.
+    /// </summary>
     /// <remarks>Retail: CLandCell::add_all_outside_cells @0x00533360.</remarks>
     internal static void AddAll(ICellWorld world, ReadOnlySpan<PartExtent> parts, CellArray array)
     {

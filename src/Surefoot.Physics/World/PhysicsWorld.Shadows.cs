@@ -95,7 +95,8 @@ public sealed partial class PhysicsWorld
             for (int i = 0; i < item.ShadowCount; i++)
             {
                 ref ShadowObject shadow = ref item.Shadows[i];
-                if (shadow.Cell is not null || CellIds.BlockOf(shadow.CellId) != block.Id || block.Find(shadow.CellId) is not { } cell) continue;
+                if (shadow.Cell is not null || CellIds.BlockOf(shadow.CellId) != block.Id || block.Find(shadow.CellId) is not { } cell)
+                    continue;
                 shadow.Cell = cell;
                 cell.AddShadow(item, i);
             }

@@ -4,12 +4,12 @@ using Surefoot.Physics.Geometry;
 namespace Surefoot.Physics.World;
 
 /// <summary>
-/// The landblocks that are loaded, and the cells in them. One thread at a time; worlds share nothing that is written. What is loaded does not
-/// depend on the order in which it was.
+/// The landblocks that are loaded, and the cells in them. One thread at a time; worlds share nothing that is written. What is loaded does
+/// not depend on the order in which it was.
 /// </summary>
 /// <remarks>
-/// Retail loads rooms and landblocks as the player moves: the blocks within one of the player's, and the rooms that are seen from there. Here
-/// the caller decides what is loaded, all rooms of a block come with it, and nothing is ever loaded from inside a quantum.
+/// Retail loads rooms and landblocks as the player moves: the blocks within one of the player's, and the rooms that are seen from there.
+/// Here the caller decides what is loaded, all rooms of a block come with it, and nothing is ever loaded from inside a quantum.
 /// </remarks>
 public sealed partial class PhysicsWorld : ICellWorld
 {

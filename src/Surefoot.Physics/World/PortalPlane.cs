@@ -9,8 +9,8 @@ namespace Surefoot.Physics.World;
 /// <param name="OtherCellId">Full id of the cell behind it; <see cref="Outdoors"/> where it opens to the outdoors.</param>
 /// <param name="OtherPortal">Index into the other cell's portals; negative for none.</param>
 /// <remarks>
-/// Retail: CCellPortal. The polygon itself takes no part in movement: a sphere anywhere along the plane of a portal to the outdoors, inside the
-/// room, brings in the outdoors.
+/// Retail: CCellPortal. The polygon itself takes no part in movement: a sphere anywhere along the plane of a portal to the outdoors, inside
+/// the room, brings in the outdoors.
 /// </remarks>
 internal readonly record struct PortalPlane(Plane Plane, bool NormalPointsOut, uint OtherCellId, short OtherPortal)
 {

@@ -4,7 +4,9 @@ using Surefoot.Dats.Records;
 
 namespace Surefoot.Physics.World;
 
-/// <summary>What all landblocks share: the heights their numbers stand for, and what grows on which ground. Immutable, shared by worlds and threads.</summary>
+/// <summary>
+/// What all landblocks share: the heights their numbers stand for, and what grows on which ground. Immutable, shared by worlds and threads.
+/// </summary>
 /// <remarks>Retail: the parts of CRegionDesc that movement needs.</remarks>
 public sealed class RegionAsset
 {
@@ -20,7 +22,8 @@ public sealed class RegionAsset
     /// <param name="heightTable">Up to 256 heights, metres; see <see cref="HeightTable"/>.</param>
     internal RegionAsset(ReadOnlySpan<float> heightTable)
     {
-        for (int i = 0; i < Math.Min(heights.Length, heightTable.Length) && heightTable[i] is >= 0 and <= MaxHeight; i++) heights[i] = heightTable[i];
+        for (int i = 0; i < Math.Min(heights.Length, heightTable.Length) && heightTable[i] is >= 0 and <= MaxHeight; i++)
+            heights[i] = heightTable[i];
     }
 
     /// <summary>A region with the scenery of a record.</summary>

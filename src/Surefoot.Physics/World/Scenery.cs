@@ -8,7 +8,9 @@ using Frame = Surefoot.Physics.Geometry.Frame;
 namespace Surefoot.Physics.World;
 
 /// <summary>Trees, rocks and bushes: worked out from the ground, the same everywhere and always.</summary>
-/// <remarks>Retail: CLandBlock::get_land_scenes @0x00530460, ObjectDesc::Place @0x005A5BB0; specification 05, 4.8. All integers wrap at 32 bits.</remarks>
+/// <remarks>
+/// Retail: CLandBlock::get_land_scenes @0x00530460, ObjectDesc::Place @0x005A5BB0; specification 05, 4.8. All integers wrap at 32 bits.
+/// </remarks>
 internal static class Scenery
 {
     private const uint FrequencyQuestion = 23399, XQuestion = 45773, YQuestion = 72719, RotationQuestion = 63127, ScaleQuestion = 32593;
@@ -61,12 +63,14 @@ internal static class Scenery
         if (!(Share(spot.X, spot.Y, k, FrequencyQuestion) < thing.Frequency) || thing.WeenieObject != 0) return null;
 
         Vector3 point = Displace(thing, k, spot);
-        if (!(point.X >= 0 && point.Y >= 0 && point.X < CellIds.BlockSize && point.Y < CellIds.BlockSize) || block.Terrain.IsOnRoad(point)) return null;
+        if (!(point.X >= 0 && point.Y >= 0 && point.X < CellIds.BlockSize && point.Y < CellIds.BlockSize) || block.Terrain.IsOnRoad(point))
+            return null;
         LandCell cell = block.LandCells[TerrainSurface.CellUnder(point.X, point.Y)];
         int triangle = cell.FindTriangle(point);
         if (cell.Building is not null || triangle < 0) return null;
         Plane plane = block.Terrain.PlaneOf(triangle);
-        if (!(plane.Normal.Z >= thing.MinSlope && plane.Normal.Z <= thing.MaxSlope) || !PlaneQueries.SetHeight(plane, ref point)) return null;
+        if (!(plane.Normal.Z >= thing.MinSlope && plane.Normal.Z <= thing.MaxSlope) || !PlaneQueries.SetHeight(plane, ref point))
+            return null;
 
         if (FaultOf(thing) is { } fault)
         {
@@ -93,7 +97,8 @@ internal static class Scenery
     private static string? FaultOf(in SceneObject thing)
     {
         Quaternion turn = thing.BaseFrame.Rotation;
-        if (!float.IsFinite(turn.X + turn.Y + turn.Z + turn.W) || !float.IsFinite(thing.MaxRotation)) return "has a rotation that is not finite";
+        if (!float.IsFinite(turn.X + turn.Y + turn.Z + turn.W) || !float.IsFinite(thing.MaxRotation))
+            return "has a rotation that is not finite";
         bool hasSize = thing.MinScale > 0 && thing.MaxScale > 0 && float.IsFinite(thing.MinScale) && float.IsFinite(thing.MaxScale);
         return hasSize ? null : string.Create(CultureInfo.InvariantCulture, $"is scaled by {thing.MinScale} to {thing.MaxScale}");
     }
@@ -117,7 +122,9 @@ internal static class Scenery
         ? thing.MaxScale
         : (float)(thing.MinScale * Math.Pow((double)thing.MaxScale / thing.MinScale, Share(spot.X, spot.Y, k, ScaleQuestion)));
 
-    /// <summary>Scenery that reaches over the block's border is left out. Its scale is not known yet at this point, and not looked at.</summary>
+    /// <summary>
+    /// Scenery that reaches over the block's border is left out. Its scale is not known yet at this point, and not looked at.
+    /// </summary>
     /// <remarks>Retail: CPhysicsObj::obj_within_block @0x00511030.</remarks>
     private static bool IsWithinBlock(SetupAsset setup, in Frame frame)
     {
@@ -137,7 +144,8 @@ internal static class Scenery
             : Within(frame, setup.SortingSphere.Center, setup.SortingSphere.Radius);
     }
 
-    private static bool Within(in Frame frame, in Vector3 center, float radius) => CellIds.IsWithinBlock(frame.LocalToGlobal(center), radius);
+    private static bool Within(in Frame frame, in Vector3 center, float radius) =>
+        CellIds.IsWithinBlock(frame.LocalToGlobal(center), radius);
 
     /// <summary>A vertex: its column and row in the block, and its global cell coordinates.</summary>
     private readonly record struct Spot(int Column, int Row, uint X, uint Y);

@@ -5,17 +5,20 @@ using Surefoot.Physics.Geometry;
 namespace Surefoot.Physics.World;
 
 /// <summary>
-/// Something of the dat files that never moves: an object of a landblock or room, a piece of scenery, a building's shell. Its parts may, when its setup names
-/// an animation that they play for ever.
+/// Something of the dat files that never moves: an object of a landblock or room, a piece of scenery, a building's shell. Its parts may,
+/// when its setup names an animation that they play for ever.
 /// </summary>
 public sealed class StaticObject : WorldObject
 {
     /// <summary>Where the parts of an object that moves them were when it was made; null for the many that do not.</summary>
     private readonly Frame[]? firstParts;
 
-    /// <summary>An object as retail makes it: its frame is set before its scale, which therefore does not reach the places of its parts.</summary>
+    /// <summary>
+    /// An object as retail makes it: its frame is set before its scale, which therefore does not reach the places of its parts.
+    /// </summary>
     internal StaticObject(SetupAsset setup, in Position position, ulong order, ObjCell cell, float scale, AnimationAsset? animation = null)
-        : base(0, setup, PhysicsState.Default | PhysicsState.Static | (setup.DefaultAnimationId != 0 ? PhysicsState.HasDefaultAnim : PhysicsState.None))
+        : base(0, setup,
+            PhysicsState.Default | PhysicsState.Static | (setup.DefaultAnimationId != 0 ? PhysicsState.HasDefaultAnim : PhysicsState.None))
     {
         Scale = scale;
         Order = order;
@@ -36,8 +39,8 @@ public sealed class StaticObject : WorldObject
     internal bool LacksGround { get; set; }
 
     /// <summary>
-    /// Place in the order in which statics are tested: land objects and scenery of all landblocks, column by column, then those of rooms. It does not
-    /// depend on the order of loading.
+    /// Place in the order in which statics are tested: land objects and scenery of all landblocks, column by column, then those of rooms.
+    /// It does not depend on the order of loading.
     /// </summary>
     internal ulong Order { get; }
 

@@ -69,7 +69,8 @@ public sealed partial class TerrainSurface
         const double side = CellIds.CellSize, far = side - RoadHalfWidth;
         int southWest = (VerticesPerSide * (int)column) + (int)row;
         bool west = x < RoadHalfWidth, south = y < RoadHalfWidth, east = x > far, north = y > far;
-        return (Road(southWest) << 3 | Road(southWest + 1) << 2 | Road(southWest + VerticesPerSide) << 1 | Road(southWest + VerticesPerSide + 1)) switch
+        int southEast = southWest + VerticesPerSide;
+        return (Road(southWest) << 3 | Road(southWest + 1) << 2 | Road(southEast) << 1 | Road(southEast + 1)) switch
         {
             0b0000 => false,
             0b1111 => true,
@@ -108,7 +109,8 @@ public sealed partial class TerrainSurface
         for (int cell = 0; cell < CellCount; cell++)
         {
             int southWest = (VerticesPerSide * (cell >> 3)) + (cell & 7);
-            int corners = Water(southWest) + Water(southWest + 1) + Water(southWest + VerticesPerSide) + Water(southWest + VerticesPerSide + 1);
+            int corners =
+                Water(southWest) + Water(southWest + 1) + Water(southWest + VerticesPerSide) + Water(southWest + VerticesPerSide + 1);
             water[cell] = corners switch { 0 => WaterType.None, 4 => WaterType.Entirely, _ => WaterType.Partly };
             any |= corners > 0;
             all &= corners == 4;

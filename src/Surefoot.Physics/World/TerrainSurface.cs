@@ -4,12 +4,12 @@ using Surefoot.Physics.Geometry;
 namespace Surefoot.Physics.World;
 
 /// <summary>
-/// The ground of one landblock: 9 × 9 heights, 64 cells of two triangles each, and what the ground is made of. Immutable; all coordinates are
-/// the block's, metres.
+/// The ground of one landblock: 9 × 9 heights, 64 cells of two triangles each, and what the ground is made of. Immutable; all coordinates
+/// are the block's, metres.
 /// </summary>
 /// <remarks>
-/// Retail: CLandBlockStruct at full detail; specification 05, 4.3 to 4.6. Cell (i, j) is the i-th from the west and j-th from the south, its
-/// index 8·i + j; it owns the triangles 2·index and 2·index + 1.
+/// Retail: CLandBlockStruct at full detail; specification 05, 4.3 to 4.6. Cell (i, j) is the i-th from the west and j-th from the south,
+/// its index 8·i + j; it owns the triangles 2·index and 2·index + 1.
 /// </remarks>
 public sealed partial class TerrainSurface
 {
@@ -40,7 +40,8 @@ public sealed partial class TerrainSurface
     /// <exception cref="ArgumentException">Not 81 of each.</exception>
     public TerrainSurface(uint blockId, ReadOnlySpan<float> heights, ReadOnlySpan<ushort> words)
     {
-        if (heights.Length != VertexCount || words.Length != VertexCount) throw new ArgumentException("A block has 81 heights and 81 terrain words.");
+        if (heights.Length != VertexCount || words.Length != VertexCount)
+            throw new ArgumentException("A block has 81 heights and 81 terrain words.");
         BlockId = CellIds.BlockOf(blockId);
         this.heights = heights.ToArray();
         this.words = words.ToArray();
@@ -62,7 +63,9 @@ public sealed partial class TerrainSurface
     /// <summary>The block, 0xXXYY0000.</summary>
     public uint BlockId { get; }
 
-    /// <summary>How the cell at global cell coordinates is cut: true from south-west to north-east, false from south-east to north-west.</summary>
+    /// <summary>
+    /// How the cell at global cell coordinates is cut: true from south-west to north-east, false from south-east to north-west.
+    /// </summary>
     /// <remarks>Retail: CLandBlockStruct::ConstructPolygons @0x00531D10. All arithmetic wraps at 32 bits; the top bit decides.</remarks>
     internal static bool IsCutSouthWestToNorthEast(uint x, uint y) => SplitHash(x, y) >> 31 != 0;
 
@@ -86,8 +89,8 @@ public sealed partial class TerrainSurface
     }
 
     /// <summary>
-    /// The triangle of a cell that a point is over, −1 for none. The first of the two wins on their common edge, and a point on the border of two cells is
-    /// in both.
+    /// The triangle of a cell that a point is over, −1 for none. The first of the two wins on their common edge, and a point on the border
+    /// of two cells is in both.
     /// </summary>
     /// <remarks>Retail: CLandCell::find_terrain_poly @0x00532CF0.</remarks>
     internal int FindTriangle(int cell, in Vector3 point)
@@ -137,7 +140,8 @@ public sealed partial class TerrainSurface
         return first ? new(southWest, southEast, northWest) : new(northEast, northWest, southEast);
     }
 
-    private static Vector2 Place(int vertex) => new(CellIds.CellSize * (vertex / VerticesPerSide), CellIds.CellSize * (vertex % VerticesPerSide));
+    private static Vector2 Place(int vertex) =>
+        new(CellIds.CellSize * (vertex / VerticesPerSide), CellIds.CellSize * (vertex % VerticesPerSide));
 
     private Vector3 Vertex(int vertex) => new(Place(vertex), heights[vertex]);
 

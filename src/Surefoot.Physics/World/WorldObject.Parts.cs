@@ -7,7 +7,10 @@ namespace Surefoot.Physics.World;
 /// <content>Where the parts of an object are.</content>
 public partial class WorldObject
 {
-    /// <summary>Where each part was put when the frame was set last, block coordinates; null as long as they are where <see cref="StillPose"/> has them.</summary>
+    /// <summary>
+    /// Where each part was put when the frame was set last, block coordinates; null as long as they are where <see cref="StillPose"/> has
+    /// them.
+    /// </summary>
     private Frame[]? parts;
     private int placedParts;
 
@@ -29,7 +32,8 @@ public partial class WorldObject
     private protected virtual float StillScale => Scale;
 
     /// <summary>
-    /// Puts the parts where a pose has them, by the object's frame and scale of this moment; those that it has no frame for stay where they are.
+    /// Puts the parts where a pose has them, by the object's frame and scale of this moment; those that it has no frame for stay where they
+    /// are.
     /// </summary>
     /// <remarks>Retail: CPartArray::UpdateParts; specification 06, 3.</remarks>
     private protected void PlaceParts(ReadOnlySpan<Frame> pose, float scale)

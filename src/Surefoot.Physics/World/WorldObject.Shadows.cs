@@ -3,7 +3,9 @@ namespace Surefoot.Physics.World;
 /// <content>The cells that list the object.</content>
 public partial class WorldObject
 {
-    /// <summary>One shadow for each cell the object reaches, in the order of the cell array it was placed with; see <see cref="ShadowCount"/>.</summary>
+    /// <summary>
+    /// One shadow for each cell the object reaches, in the order of the cell array it was placed with; see <see cref="ShadowCount"/>.
+    /// </summary>
     internal ShadowObject[] Shadows = [];
 
     /// <summary>Number of cells that list the object, loaded or not.</summary>

@@ -1,8 +1,7 @@
 namespace Surefoot.Protocol.Messages;
 
 /// <summary>Full ids of motion commands by their low words (specification 08, appendix A). Servers of the field number them as a later
-/// client does: from 0x118
-/// on, three more than the client of 2013.</summary>
+/// client does: from 0x118 on, three more than the client of 2013.</summary>
 public sealed class CommandTable
 {
     private const int RetailEntries = 0x198, FirstShifted = 0x118, Shift = 3;

@@ -3,8 +3,8 @@ using Surefoot.Protocol.Messages;
 namespace Surefoot.Protocol.Session;
 
 /// <summary>What a server has told of the player's character, kept current from its messages (specification 08, section 7). Updates that
-/// arrive after a newer
-/// one of the same kind are dropped by their numbers. Formulas over these numbers need the portal data and are not here.</summary>
+/// arrive after a newer one of the same kind are dropped by their numbers. Formulas over these numbers need the portal data and are not
+/// here.</summary>
 public sealed class CharacterSheet
 {
     /// <summary>Skill of jumping.</summary>

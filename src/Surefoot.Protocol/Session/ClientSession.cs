@@ -3,9 +3,8 @@ using Surefoot.Protocol.Messages;
 namespace Surefoot.Protocol.Session;
 
 /// <summary>A client's session with a server: login, characters, entering and leaving the world (specification 08, section 3). It reads no
-/// clock and knows no
-/// socket: datagrams and the time come in, datagrams and messages go out. <see cref="WorldSession"/> gives it both. It is not safe for
-/// several threads.</summary>
+/// clock and knows no socket: datagrams and the time come in, datagrams and messages go out. <see cref="WorldSession"/> gives it both. It
+/// is not safe for several threads.</summary>
 public sealed class ClientSession
 {
     private const double PingInterval = 120;

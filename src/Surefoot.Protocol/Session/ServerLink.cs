@@ -31,8 +31,8 @@ public enum ServerLinkState
 public readonly record struct ServerLinkOptions(ushort NetId, ulong Cookie, uint ServerSeed, uint ClientSeed, ushort ServerId = 0x000B);
 
 /// <summary>A server's side of a session with one client: handshake, numbers, acknowledgements, clocks (specification 08, section 8). It
-/// reads no clock and knows
-/// no socket: who owns it finds it by the client's address, hands in datagrams and the time, and sends what comes out.</summary>
+/// reads no clock and knows no socket: who owns it finds it by the client's address, hands in datagrams and the time, and sends what comes
+/// out.</summary>
 public sealed class ServerLink
 {
     private const double AckInterval = 2.0, ClockInterval = 20, NakInterval = 1, Linger = 2, PacketLife = 120;

@@ -4,11 +4,9 @@ using Surefoot.Protocol.Messages;
 namespace Surefoot.Protocol.Session;
 
 /// <summary>A client's session with a server over UDP. One thread receives and puts what comes into a bounded queue; everything else
-/// happens within the calls of
-/// the owner, so that messages and changes of state come on the owner's thread and nothing waits. While the owner does not call, the queue
-/// fills; when it is
-/// full, datagrams are dropped, counted as <see cref="DropReason.NoRoom"/> and asked for again later. It is not safe for several
-/// threads.</summary>
+/// happens within the calls of the owner, so that messages and changes of state come on the owner's thread and nothing waits. While the
+/// owner does not call, the queue fills; when it is full, datagrams are dropped, counted as <see cref="DropReason.NoRoom"/> and asked for
+/// again later. It is not safe for several threads.</summary>
 public sealed class WorldSession : IDisposable
 {
     private readonly ServerSocket socket;

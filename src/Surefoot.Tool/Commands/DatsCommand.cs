@@ -15,19 +15,26 @@ internal static class DatsCommand
 {
     private static readonly JsonSerializerOptions Json = new() { WriteIndented = true, PropertyNamingPolicy = JsonNamingPolicy.CamelCase };
 
-    internal static Command Create() => new("dats", "Looks into a folder of dat files.\n\nExample:\n  surefoot dats verify tests/data/worlds/first")
+    internal static Command Create() =>
+        new("dats", "Looks into a folder of dat files.\n\nExample:\n  surefoot dats verify tests/data/worlds/first")
     {
         CreateList(), CreateShow(), CreateVerify(),
     };
 
-    private static Argument<DirectoryInfo> FolderArgument() => new("DIR") { Description = "Folder with client_portal.dat and client_cell_1.dat." };
+    private static Argument<DirectoryInfo> FolderArgument() =>
+        new("DIR") { Description = "Folder with client_portal.dat and client_cell_1.dat." };
 
     private static Command CreateList()
     {
         Argument<DirectoryInfo> folder = FolderArgument();
         Option<string?> type = new("--type") { Description = "Only records of this kind, each on a line; for example Setup or EnvCell." };
         Option<bool> json = new("--json") { Description = "Print one JSON object." };
-        Command command = new("list", "Lists the kinds of records in the files, or the records of one kind.\n\nExample:\n  surefoot dats list DIR --type Setup") { folder, type, json };
+        Command command = new(
+            "list",
+            "Lists the kinds of records in the files, or the records of one kind.\n\nExample:\n  surefoot dats list DIR --type Setup")
+        {
+            folder, type, json,
+        };
         command.SetAction(parsed =>
         {
             DatRecordType? wanted = parsed.GetValue(type) is { } name ? ParseType(name) : null;
@@ -39,21 +46,25 @@ internal static class DatsCommand
         return command;
     }
 
-    private static DatRecordType ParseType(string name) => Enum.TryParse(name, ignoreCase: true, out DatRecordType type) && Enum.IsDefined(type)
+    private static DatRecordType ParseType(string name) =>
+        Enum.TryParse(name, ignoreCase: true, out DatRecordType type) && Enum.IsDefined(type)
         ? type
-        : throw new UsageException($"--type '{name}': there is no such kind of record. Kinds are {string.Join(", ", Enum.GetNames<DatRecordType>().Order(StringComparer.Ordinal))}.");
+        : throw new UsageException(
+            $"--type '{name}': there is no such kind of record. Kinds are " +
+            $"{string.Join(", ", Enum.GetNames<DatRecordType>().Order(StringComparer.Ordinal))}.");
 
     private static void ListKinds(DatSet set, bool json)
     {
-        var kinds = set.Files.SelectMany(file => file.Entries.GroupBy(e => DatIds.RecordTypeOf(e.Id, file.Kind)).OrderBy(g => g.Key).Select(g => new
-        {
-            File = Path.GetFileName(file.Path),
-            Kind = g.Key.ToString(),
-            Records = g.Count(),
-            Bytes = g.Sum(e => (long)e.Size),
-            First = $"{g.Min(e => e.Id):X8}",
-            Last = $"{g.Max(e => e.Id):X8}",
-        })).ToList();
+        var kinds =
+            set.Files.SelectMany(file => file.Entries.GroupBy(e => DatIds.RecordTypeOf(e.Id, file.Kind)).OrderBy(g => g.Key).Select(g => new
+            {
+                File = Path.GetFileName(file.Path),
+                Kind = g.Key.ToString(),
+                Records = g.Count(),
+                Bytes = g.Sum(e => (long)e.Size),
+                First = $"{g.Min(e => e.Id):X8}",
+                Last = $"{g.Max(e => e.Id):X8}",
+            })).ToList();
         if (json)
         {
             Console.Out.WriteLine(JsonSerializer.Serialize(new { Kinds = kinds }, Json));
@@ -69,7 +80,10 @@ internal static class DatsCommand
 
     private static void ListRecords(DatSet set, DatRecordType kind, bool json)
     {
-        var records = set.Files.SelectMany(file => file.IdsOf(kind).Select(id => new { Id = $"{id:X8}", Bytes = file.TryGetEntry(id, out DatEntry entry) ? entry.Size : 0 })).ToList();
+        var records = set.Files.SelectMany(
+            file =>
+                file.IdsOf(kind)
+                    .Select(id => new { Id = $"{id:X8}", Bytes = file.TryGetEntry(id, out DatEntry entry) ? entry.Size : 0 })).ToList();
         if (records.Count == 0) Console.Error.WriteLine($"surefoot: {set.Folder} has no record of the kind {kind}.");
         if (json) Console.Out.WriteLine(JsonSerializer.Serialize(new { Kind = kind.ToString(), Records = records }, Json));
         else foreach (var r in records) Console.Out.WriteLine(FormattableString.Invariant($"{r.Id} {r.Bytes,8}"));
@@ -81,7 +95,8 @@ internal static class DatsCommand
         Argument<string> id = new("ID") { Description = "Record id, hexadecimal." };
         Option<bool> json = new("--json") { Description = "Print the record as JSON." };
         Option<bool> cell = new("--cell") { Description = "Take the record of the cell file where the portal file has the same id." };
-        Command command = new("show", "Shows a record as readable text.\n\nExample:\n  surefoot dats show DIR 02000001") { folder, id, json, cell };
+        Command command = new("show",
+            "Shows a record as readable text.\n\nExample:\n  surefoot dats show DIR 02000001") { folder, id, json, cell };
         command.SetAction(parsed =>
         {
             string text = parsed.GetRequiredValue(id);
@@ -93,7 +108,8 @@ internal static class DatsCommand
             DatFile? file = files.FirstOrDefault(f => f.TryGetEntry(number, out _));
             if (file is null)
             {
-                Console.Error.WriteLine($"surefoot: there is no record 0x{number:X8} in {set.Folder}. 'surefoot dats list DIR' shows what there is.");
+                Console.Error.WriteLine(
+                    $"surefoot: there is no record 0x{number:X8} in {set.Folder}. 'surefoot dats list DIR' shows what there is.");
                 return ExitCode.Failed;
             }
 
@@ -110,7 +126,8 @@ internal static class DatsCommand
         Option<bool> json = new("--json") { Description = "Print one JSON object." };
         Command command = new(
             "verify",
-            "Reads every record, decodes it, encodes it again and compares the bytes; then loads every landblock and lists what a world has to " +
+            "Reads every record, decodes it, encodes it again and compares the bytes; then loads every landblock and lists what a world " +
+            "has to " +
             "leave out.\n\nExample:\n  surefoot dats verify DIR")
         {
             folder, json,
@@ -139,7 +156,14 @@ internal static class DatsCommand
                 Different = outcomes[(int)DatVerifyOutcome.Different],
                 Failed = outcomes[(int)DatVerifyOutcome.Failed],
                 Remarks = remarks,
-                Faults = bad.Select(b => new { File = Path.GetFileName(b.File), Id = $"{b.Id:X8}", Kind = b.Type.ToString(), Outcome = b.Outcome.ToString(), b.Message }),
+                Faults = bad.Select(b => new
+                {
+                    File = Path.GetFileName(b.File),
+                    Id = $"{b.Id:X8}",
+                    Kind = b.Type.ToString(),
+                    Outcome = b.Outcome.ToString(),
+                    b.Message,
+                }),
                 check.Region,
                 LeftOut = new
                 {
@@ -163,9 +187,11 @@ internal static class DatsCommand
             }
             else
             {
-                foreach (DatVerifyResult b in bad) Console.Out.WriteLine($"{Path.GetFileName(b.File)} {b.Id:X8} {b.Type} {b.Outcome}: {b.Message}");
+                foreach (DatVerifyResult b in bad)
+                    Console.Out.WriteLine($"{Path.GetFileName(b.File)} {b.Id:X8} {b.Type} {b.Outcome}: {b.Message}");
                 Console.Out.WriteLine(
-                    $"{summary.Records} records: {summary.Identical} identical after decoding and encoding, {summary.Opaque} carried as bytes, {summary.Different} different, {summary.Failed} unreadable");
+                    $"{summary.Records} records: {summary.Identical} identical after decoding and encoding, " +
+                    $"{summary.Opaque} carried as bytes, {summary.Different} different, {summary.Failed} unreadable");
                 Console.Out.WriteLine($"Region: {check.Region}");
                 foreach (LeftOutItem item in check.LeftOut) Console.Out.WriteLine($"left out: {item}");
                 if (check.HasRegion) Console.Out.WriteLine($"left out of a world of these files: {Number(check.LeftOut.Total)}");

@@ -10,15 +10,18 @@ internal static class DemoCommand
 {
     private static readonly JsonSerializerOptions Json = new() { WriteIndented = true, PropertyNamingPolicy = JsonNamingPolicy.CamelCase };
 
-    internal static Command Create() => new("demo", "Makes the demo world.\n\nExample:\n  surefoot demo write ./demo-world") { CreateWrite(), CreateMap(), CreatePlaces() };
+    internal static Command Create() =>
+        new("demo", "Makes the demo world.\n\nExample:\n  surefoot demo write ./demo-world") { CreateWrite(), CreateMap(), CreatePlaces() };
 
-    private static Option<uint> SeedOption() => new("--seed") { Description = "Chooses the landscape.", DefaultValueFactory = _ => DemoWorldBuilder.DefaultSeed };
+    private static Option<uint> SeedOption() =>
+        new("--seed") { Description = "Chooses the landscape.", DefaultValueFactory = _ => DemoWorldBuilder.DefaultSeed };
 
     private static Command CreateWrite()
     {
         Argument<DirectoryInfo> folder = new("DIR") { Description = "Where the dat files go; made when it is not there." };
         Option<uint> seed = SeedOption();
-        Command command = new("write", "Writes the demo world as real dat files.\n\nExample:\n  surefoot demo write ./demo-world --seed 7") { folder, seed };
+        Command command = new("write",
+            "Writes the demo world as real dat files.\n\nExample:\n  surefoot demo write ./demo-world --seed 7") { folder, seed };
         command.SetAction(parsed =>
         {
             string path = parsed.GetRequiredValue(folder).FullName;

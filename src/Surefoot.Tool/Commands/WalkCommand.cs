@@ -16,19 +16,32 @@ internal static class WalkCommand
 
     internal static Command Create()
     {
-        Option<string> at = new("--at") { Description = "Where to begin: a named place, or a cell id and metres: 0xA9B40001,12,12,0 (without the last, on the ground).", DefaultValueFactory = _ => "meadow" };
+        Option<string> at = new("--at")
+        {
+            Description = "Where to begin: a named place, or a cell id and metres: 0xA9B40001,12,12,0 (without the last, on the ground).",
+            DefaultValueFactory = _ => "meadow",
+        };
         Option<int> run = new("--run") { Description = "Run skill.", DefaultValueFactory = _ => 200 };
         Option<int> jump = new("--jump") { Description = "Jump skill.", DefaultValueFactory = _ => 200 };
-        Option<int> burden = new("--burden") { Description = "What is carried, in burden units (strength 100 carries 15000 at full speed).", DefaultValueFactory = _ => 0 };
+        Option<int> burden = new("--burden")
+        {
+            Description = "What is carried, in burden units (strength 100 carries 15000 at full speed).",
+            DefaultValueFactory = _ => 0,
+        };
         Option<double> latency = new("--latency") { Description = "Milliseconds until the server answers.", DefaultValueFactory = _ => 0 };
-        Option<string> script = new("--script") { Description = "Keys and seconds: W A S D Q E Shift Space Wait, joined by + and separated by ;", Required = true };
+        Option<string> script = new("--script")
+        {
+            Description = "Keys and seconds: W A S D Q E Shift Space Wait, joined by + and separated by ;",
+            Required = true,
+        };
         Option<bool> json = new("--json") { Description = "Print one JSON object." };
         Option<bool> csv = new("--csv") { Description = "Print every quantum as comma-separated values." };
         Option<FileInfo?> html = new("--html") { Description = "Write a self-contained picture of the path from above and in profile." };
         Option<DirectoryInfo?> dats = CommonOptions.Dats();
         Command command = new(
             "walk",
-            $"Walks a script and prints where the body was.\n\nExample:\n  surefoot walk --at meadow --run 300 --jump 250 --script \"{WalkScript.Example}\" --html walk.html")
+            "Walks a script and prints where the body was.\n\nExample:\n" +
+            $"  surefoot walk --at meadow --run 300 --jump 250 --script \"{WalkScript.Example}\" --html walk.html")
         {
             at, run, jump, burden, latency, script, json, csv, html, dats,
         };
@@ -39,8 +52,10 @@ internal static class WalkCommand
             string text = parsed.GetRequiredValue(script);
             IReadOnlyList<WalkLeg> legs = ParseScript(text);
             double seconds = parsed.GetRequiredValue(latency) / 1000;
-            if (parsed.GetValue(json) && parsed.GetValue(csv)) throw new UsageException("--json and --csv are two forms of the same: give one of them.");
-            if (!(seconds is >= 0 and <= 60)) throw new UsageException("--latency is between 0 and 60000 milliseconds, for example --latency 120.");
+            if (parsed.GetValue(json) && parsed.GetValue(csv))
+                throw new UsageException("--json and --csv are two forms of the same: give one of them.");
+            if (!(seconds is >= 0 and <= 60))
+                throw new UsageException("--latency is between 0 and 60000 milliseconds, for example --latency 120.");
             using WalkScene scene = WalkScene.Open(parsed.GetValue(dats));
             WalkResult walk = WalkRunner.Run(scene, scene.FindPlace(parsed.GetRequiredValue(at)), stats, legs, text, seconds);
             CommonOptions.SayLeftOut(scene.Simulation.World.LeftOut);
@@ -75,7 +90,8 @@ internal static class WalkCommand
         catch (WalkScriptException e)
         {
             throw new UsageException(
-                $"--script, character {e.Position + 1}: {e.Message}\n  {text}\n  {new string(' ', e.Position)}^\nExample: --script \"{WalkScript.Example}\"");
+                $"--script, character {e.Position + 1}: {e.Message}\n  {text}\n  {new string(' ', e.Position)}^\n" +
+                $"Example: --script \"{WalkScript.Example}\"");
         }
     }
 
@@ -83,7 +99,8 @@ internal static class WalkCommand
     {
         Table table = new() { Border = TableBorder.Simple };
         foreach (string heading in (string[])["time", "cell", "x", "y", "z", "heading", "speed", ""])
-            table.AddColumn(new TableColumn(heading) { Alignment = heading.Length == 0 || heading == "cell" ? Justify.Left : Justify.Right });
+            table.AddColumn(
+                new TableColumn(heading) { Alignment = heading.Length == 0 || heading == "cell" ? Justify.Left : Justify.Right });
         double next = 0;
         foreach (WalkSample s in walk.Samples)
         {
@@ -97,15 +114,23 @@ internal static class WalkCommand
 
         Terminal.Write(table);
         foreach (WalkEvent e in walk.Events) Console.Out.WriteLine($"{Text(e.Time, "0.000"),8} s  {e.What}");
-        Console.Out.WriteLine(FormattableString.Invariant($"{walk.Distance:0.00} m over ground in {walk.Samples[^1].Time:0.00} s, mean speed {walk.MeanSpeed:0.00} m/s, top speed {walk.TopSpeed:0.00} m/s"));
+        Console.Out.WriteLine(string.Create(
+            CultureInfo.InvariantCulture,
+            $"{walk.Distance:0.00} m over ground in {walk.Samples[^1].Time:0.00} s, mean speed {walk.MeanSpeed:0.00} m/s, " +
+            $"top speed {walk.TopSpeed:0.00} m/s"));
     }
 
-    /// <summary>Every quantum, metres in the landblock, m/s over ground, degrees; numbers that give the same single-precision value again.</summary>
+    /// <summary>
+    /// Every quantum, metres in the landblock, m/s over ground, degrees; numbers that give the same single-precision value again.
+    /// </summary>
     private static void PrintCsv(WalkResult walk)
     {
         Console.Out.WriteLine("time,cell,x,y,z,heading,speed,footing,charge");
         foreach (WalkSample s in walk.Samples)
-            Console.Out.WriteLine(FormattableString.Invariant($"{s.Time:0.####},{s.CellId:X8},{s.Local.X:R},{s.Local.Y:R},{s.Local.Z:R},{s.Heading:0.####},{s.Speed:0.#####},{Footing(s)},{s.Charge:0.####}"));
+            Console.Out.WriteLine(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{s.Time:0.####},{s.CellId:X8},{s.Local.X:R},{s.Local.Y:R},{s.Local.Z:R},{s.Heading:0.####},{s.Speed:0.#####}," +
+                $"{Footing(s)},{s.Charge:0.####}"));
     }
 
     private static string Footing(WalkSample s) => s.OnWalkable ? "ground" : s.HasContact ? "slope" : "air";

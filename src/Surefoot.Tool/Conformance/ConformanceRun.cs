@@ -31,7 +31,8 @@ internal sealed class ConformanceRun(DirectoryInfo? folder, SceneFilter scenes) 
         }
     }
 
-    private OracleReplay Oracle => oracle ??= OracleReplay.Over(World.Cache.Source, World.Engine.World.Landblocks.Select(block => block.Id));
+    private OracleReplay Oracle =>
+        oracle ??= OracleReplay.Over(World.Cache.Source, World.Engine.World.Landblocks.Select(block => block.Id));
 
     /// <summary>The files that are meant by files and folders.</summary>
     /// <exception cref="UsageException">A name is empty, or a folder holds no recordings.</exception>

@@ -4,9 +4,8 @@ namespace Surefoot.Tool.Conformance;
 
 /// <summary>
 /// Tells a result that hangs on the last bit of a float from one that is wrong. Recorders that compute in binary32 and an engine that
-/// rounds where retail
-/// rounds take the other branch where a body touches exactly: from one of the places that differ by rounding alone, the recorded result
-/// then comes out.
+/// rounds where retail rounds take the other branch where a body touches exactly: from one of the places that differ by rounding alone, the
+/// recorded result then comes out.
 /// </summary>
 internal static class LastBit
 {

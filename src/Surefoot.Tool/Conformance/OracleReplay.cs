@@ -23,9 +23,8 @@ internal sealed record OracleResult(
 
 /// <summary>
 /// Replays cases recorded from a peer as it is: single sweeps, placements, and walks re-seated before each step. Results that known
-/// departures of
-/// the peer change are listed beside them; the lists leave out two departures that the mover's state word tells (<see
-/// cref="DepartureOf"/>).
+/// departures of the peer change are listed beside them; the lists leave out two departures that the mover's state word tells
+/// (<see cref="DepartureOf"/>).
 /// </summary>
 internal sealed class OracleReplay(PhysicsEngine engine, Func<uint, SetupAsset> setups)
 {

@@ -7,8 +7,7 @@ namespace Surefoot.Tool.Conformance;
 
 /// <summary>
 /// Rooms as the recorder of the oracle vectors read them: a portal leads outdoors when the cell behind it is 0xFFFF. Its world file says so
-/// of its houses in no
-/// other way, whereas retail looks at a flag alone (specification 05, 2.5; 07, 7.11).
+/// of its houses in no other way, whereas retail looks at a flag alone (specification 05, 2.5; 07, 7.11).
 /// </summary>
 /// <param name="source">The files as they are.</param>
 internal sealed class PeerPortals(IDatSource source) : IDatSource
@@ -22,7 +21,8 @@ internal sealed class PeerPortals(IDatSource source) : IDatSource
     public bool TryRead(uint id, out ReadOnlySequence<byte> bytes)
     {
         if (!source.TryRead(id, out bytes)) return false;
-        if ((id & 0xFFFF) is >= 0x100 and <= 0xFFFD && bytes.Length > Surfaces) bytes = new ReadOnlySequence<byte>(WithFlags(id, bytes.ToArray()));
+        if ((id & 0xFFFF) is >= 0x100 and <= 0xFFFD && bytes.Length > Surfaces)
+            bytes = new ReadOnlySequence<byte>(WithFlags(id, bytes.ToArray()));
         return true;
     }
 

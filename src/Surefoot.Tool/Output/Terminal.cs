@@ -18,5 +18,6 @@ internal static class Terminal
     }
 
     private static int? Columns =>
-        int.TryParse(Environment.GetEnvironmentVariable("COLUMNS"), NumberStyles.None, CultureInfo.InvariantCulture, out int columns) && columns > 0 ? columns : null;
+        int.TryParse(Environment.GetEnvironmentVariable("COLUMNS"), NumberStyles.None, CultureInfo.InvariantCulture, out int columns) &&
+        columns > 0 ? columns : null;
 }

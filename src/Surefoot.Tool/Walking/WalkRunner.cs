@@ -88,7 +88,8 @@ internal sealed class WalkRunner : IMovementObserver
         if (player.Body.OnWalkable != stood)
         {
             stood = player.Body.OnWalkable;
-            Say(now, stood ? FormattableString.Invariant($"stands at z {player.Body.Position.Frame.Origin.Z:0.00} m") : "leaves the ground");
+            Say(now,
+                stood ? FormattableString.Invariant($"stands at z {player.Body.Position.Frame.Origin.Z:0.00} m") : "leaves the ground");
         }
 
         if (CellIds.BlockOf(player.Body.Position.CellId) != CellIds.BlockOf(cell))
@@ -108,14 +109,16 @@ internal sealed class WalkRunner : IMovementObserver
     void IMovementObserver.OnMoveToState(in MoveToState message, double now)
     {
         WireRawMotion asked = message.Motion;
+        HoldKey key = (HoldKey)asked.CurrentHoldKey;
         Say(now, FormattableString.Invariant(
-            $"sends MoveToState: {(MotionCommand)asked.ForwardCommand} at {asked.ForwardSpeed:0.##}, hold key {(HoldKey)asked.CurrentHoldKey}"));
+            $"sends MoveToState: {(MotionCommand)asked.ForwardCommand} at {asked.ForwardSpeed:0.##}, hold key {key}"));
     }
 
     void IMovementObserver.OnJump(in Jump message, double now)
     {
         Vector3 v = message.Velocity;
-        Say(now, FormattableString.Invariant($"sends Jump: extent {message.Extent:0.000}, velocity ({v.X:0.00}, {v.Y:0.00}, {v.Z:0.00}) m/s"));
+        Say(now,
+            FormattableString.Invariant($"sends Jump: extent {message.Extent:0.000}, velocity ({v.X:0.00}, {v.Y:0.00}, {v.Z:0.00}) m/s"));
     }
 
     void IMovementObserver.OnAutonomousPosition(in AutonomousPosition message, double now)

@@ -78,9 +78,13 @@ internal static class WalkScript
         }
 
         string number = space < 0 ? "" : part[space..].Trim();
-        int numberAt = space < 0 ? start + part.TrimEnd().Length : start + space + (part[space..].Length - part[space..].TrimStart().Length);
-        if (!double.TryParse(number, NumberStyles.Float, CultureInfo.InvariantCulture, out double seconds) || !double.IsFinite(seconds) || seconds <= 0)
-            throw new WalkScriptException(number.Length == 0 ? "a number of seconds is missing" : $"'{number}' is not a number of seconds above 0", numberAt);
+        int numberAt = space < 0
+            ? start + part.TrimEnd().Length
+            : start + space + (part[space..].Length - part[space..].TrimStart().Length);
+        if (!double.TryParse(number, NumberStyles.Float, CultureInfo.InvariantCulture, out double seconds) || !double.IsFinite(seconds) ||
+            seconds <= 0)
+            throw new WalkScriptException(
+                number.Length == 0 ? "a number of seconds is missing" : $"'{number}' is not a number of seconds above 0", numberAt);
         return new WalkLeg(held, seconds);
     }
 }

@@ -5,8 +5,9 @@ using Surefoot.Workbench.Wire;
 namespace Surefoot.Workbench.Hosting;
 
 /// <summary>
-/// One page's socket. What comes in is checked and queued for the world loop, what the loop says is queued for the page. Both queues are bounded and lose
-/// their oldest entry when full: the newest keys and the newest pose are the ones that matter, and neither a flood nor a page that does not read costs memory.
+/// One page's socket. What comes in is checked and queued for the world loop, what the loop says is queued for the page. Both queues are
+/// bounded and lose their oldest entry when full: the newest keys and the newest pose are the ones that matter, and neither a flood nor a
+/// page that does not read costs memory.
 /// </summary>
 internal sealed class PageConnection
 {
@@ -27,10 +28,20 @@ internal sealed class PageConnection
         this.counters = counters;
         this.placeCount = placeCount;
         inbox = Channel.CreateBounded<ClientFrame>(
-            new BoundedChannelOptions(InboxLength) { FullMode = BoundedChannelFullMode.DropOldest, SingleReader = true, SingleWriter = true },
+            new BoundedChannelOptions(InboxLength)
+            {
+                FullMode = BoundedChannelFullMode.DropOldest,
+                SingleReader = true,
+                SingleWriter = true,
+            },
             _ => counters.CountOverflowed());
         outbox = Channel.CreateBounded<byte[]>(
-            new BoundedChannelOptions(OutboxLength) { FullMode = BoundedChannelFullMode.DropOldest, SingleReader = true, SingleWriter = true },
+            new BoundedChannelOptions(OutboxLength)
+            {
+                FullMode = BoundedChannelFullMode.DropOldest,
+                SingleReader = true,
+                SingleWriter = true,
+            },
             _ => counters.CountUnsent());
     }
 
@@ -78,7 +89,8 @@ internal sealed class PageConnection
     private async Task SendAsync(CancellationToken ended)
     {
         await SendOne(await welcome.Task.WaitAsync(ended).ConfigureAwait(false), ended).ConfigureAwait(false);
-        await foreach (byte[] frame in outbox.Reader.ReadAllAsync(ended).ConfigureAwait(false)) await SendOne(frame, ended).ConfigureAwait(false);
+        await foreach (byte[] frame in outbox.Reader.ReadAllAsync(ended).ConfigureAwait(false))
+            await SendOne(frame, ended).ConfigureAwait(false);
     }
 
     private async Task SendOne(byte[] frame, CancellationToken ended)
@@ -127,7 +139,8 @@ internal sealed class PageConnection
             if (socket.State is WebSocketState.Open or WebSocketState.CloseReceived)
                 await socket.CloseOutputAsync(WebSocketCloseStatus.NormalClosure, null, limit.Token).ConfigureAwait(false);
         }
-        catch (Exception gone) when (gone is OperationCanceledException or WebSocketException or IOException or ObjectDisposedException or InvalidOperationException)
+        catch (Exception gone) when (
+            gone is OperationCanceledException or WebSocketException or IOException or ObjectDisposedException or InvalidOperationException)
         {
             socket.Abort();
         }

@@ -11,17 +11,20 @@ internal sealed class ServerCounters : IDisposable
     private long overflowed;
     private long sent;
     private long unsent;
-    private long steps;
+    private long ticks;
     private long players;
 
     public ServerCounters()
     {
         meter.CreateObservableCounter("surefoot.workbench.frames.received", () => Received, "{frame}", "Messages from pages");
-        meter.CreateObservableCounter("surefoot.workbench.frames.malformed", () => Malformed, "{frame}", "Messages dropped because they were not a frame");
-        meter.CreateObservableCounter("surefoot.workbench.frames.overflowed", () => Overflowed, "{frame}", "Frames dropped because a page sent too many");
+        meter.CreateObservableCounter(
+            "surefoot.workbench.frames.malformed", () => Malformed, "{frame}", "Messages dropped because they were not a frame");
+        meter.CreateObservableCounter(
+            "surefoot.workbench.frames.overflowed", () => Overflowed, "{frame}", "Frames dropped because a page sent too many");
         meter.CreateObservableCounter("surefoot.workbench.frames.sent", () => Sent, "{frame}", "Frames sent to pages");
-        meter.CreateObservableCounter("surefoot.workbench.frames.unsent", () => Unsent, "{frame}", "Frames dropped because a page reads too slowly");
-        meter.CreateObservableCounter("surefoot.workbench.steps", () => Steps, "{step}", "Physics steps");
+        meter.CreateObservableCounter(
+            "surefoot.workbench.frames.unsent", () => Unsent, "{frame}", "Frames dropped because a page reads too slowly");
+        meter.CreateObservableCounter("surefoot.workbench.ticks", () => Ticks, "{tick}", "Ticks of the physics");
         meter.CreateObservableUpDownCounter("surefoot.workbench.players", () => Players, "{player}", "Players in the world");
     }
 
@@ -35,7 +38,7 @@ internal sealed class ServerCounters : IDisposable
 
     public long Unsent => Interlocked.Read(ref unsent);
 
-    public long Steps => Interlocked.Read(ref steps);
+    public long Ticks => Interlocked.Read(ref ticks);
 
     public long Players => Interlocked.Read(ref players);
 
@@ -49,7 +52,7 @@ internal sealed class ServerCounters : IDisposable
 
     public void CountUnsent() => Interlocked.Increment(ref unsent);
 
-    public void CountStep() => Interlocked.Increment(ref steps);
+    public void CountTick() => Interlocked.Increment(ref ticks);
 
     public void CountPlayer(int change) => Interlocked.Add(ref players, change);
 

@@ -7,8 +7,8 @@ namespace Surefoot.Workbench.Hosting;
 
 /// <summary>
 /// The one loop that touches the world: takes what pages said, lets time pass, and tells the pages. It wakes far more often than physics
-/// steps, so that a step comes as soon as its quantum is full and a key acts at the moment it arrives. Without a page it sleeps, and so does
-/// the world's time.
+/// ticks, so that a tick comes as soon as its quantum is full and a key acts at the moment it arrives. Without a page it sleeps, and so
+/// does the world's time.
 /// </summary>
 internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters counters, TimeProvider clock, ILogger logger, int maxPlayers)
 {
@@ -25,9 +25,9 @@ internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters co
     private long rests;
     private int reserved;
     private uint lastId;
-    private uint step;
+    private uint tick;
 
-    /// <summary>Called after each step with each player's pose, before it is sent; for tests that compare a page with the world.</summary>
+    /// <summary>Called after each tick with each player's pose, before it is sent; for tests that compare a page with the world.</summary>
     public Action<uint, uint, PlayerPose>? PosePublished { get; set; }
 
     /// <summary>How often the loop has looked after the world.</summary>
@@ -100,8 +100,8 @@ internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters co
         OpenDoors(now);
         for (int i = seats.Count - 1; i >= 0; i--) Listen(seats[i], now);
         if (!world.Advance(now)) return;
-        step++;
-        counters.CountStep();
+        tick++;
+        counters.CountTick();
         Tell(now);
     }
 
@@ -196,9 +196,9 @@ internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters co
         {
             Seat seat = seats[i];
             PlayerPose pose = poses[i].Pose;
-            PosePublished?.Invoke(seat.Id, step, pose);
+            PosePublished?.Invoke(seat.Id, tick, pose);
             while (seat.Player.TryTakeEvent(out PlayerEvent happened)) seat.Page.Send(ServerFrames.Event(happened));
-            seat.Page.Send(ServerFrames.Pose(pose, step, seat.Sequence, seats.Count));
+            seat.Page.Send(ServerFrames.Pose(pose, tick, seat.Sequence, seats.Count));
             if (seats.Count > 1 || seat.HadCompany) seat.Page.Send(ServerFrames.Others(now, seat.Id, poses));
             seat.HadCompany = seats.Count > 1;
             world.Look(seat.Player, bodies);
@@ -212,7 +212,7 @@ internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters co
     /// <summary>Is a list to be told: because it changed, or because it is time to say it again? Remembers it as told.</summary>
     private bool IsNews<T>(List<T> told, IReadOnlyList<T> list)
     {
-        bool repeat = step % WireLimits.RepeatEvery == 0 && list.Count > 0;
+        bool repeat = tick % WireLimits.RepeatEvery == 0 && list.Count > 0;
         if (!repeat && told.SequenceEqual(list)) return false;
         told.Clear();
         told.AddRange(list);

@@ -32,7 +32,9 @@ internal enum PlaceRefusal : byte
     NoRoom = 6,
 }
 
-/// <summary>Finds where a player is put who asks for a place: in the right cell, on the ground when no height is given, beside other players.</summary>
+/// <summary>
+/// Finds where a player is put who asks for a place: in the right cell, on the ground when no height is given, beside other players.
+/// </summary>
 /// <param name="engine">The world.</param>
 /// <param name="land">Its landblocks.</param>
 /// <param name="shape">A player's shape.</param>
@@ -63,7 +65,10 @@ internal sealed class Arrival(PhysicsEngine engine, PhysicsWorld land, SetupAsse
         return CellIds.IsOutdoor(position.CellId) ? FindOutdoors(ref position, onGround) : FindRoom(ref position, onGround);
     }
 
-    /// <summary>The nearest place around one that none of these players takes and that can be walked to from there; that one itself when there is none.</summary>
+    /// <summary>
+    /// The nearest place around one that none of these players takes and that can be walked to from there; that one itself when there is
+    /// none.
+    /// </summary>
     /// <param name="wanted">Where a player wants to be.</param>
     /// <param name="others">The other players.</param>
     public Position Beside(in Position wanted, IReadOnlyList<PhysicsBody> others)
@@ -107,7 +112,8 @@ internal sealed class Arrival(PhysicsEngine engine, PhysicsWorld land, SetupAsse
     {
         if (!position.AdjustToOutside()) return PlaceRefusal.OutsideMap;
         load(position.CellId);
-        if (land.GetVisible(position.CellId) is null || land.FindLandblock(position.CellId) is not { } block) return PlaceRefusal.NoSuchCell;
+        if (land.GetVisible(position.CellId) is null || land.FindLandblock(position.CellId) is not { } block)
+            return PlaceRefusal.NoSuchCell;
         Vector3 origin = position.Frame.Origin;
         if (!block.Terrain.TryGetHeight(origin.X, origin.Y, out float ground)) return PlaceRefusal.None;
         if (onGround) position.Frame.Origin.Z = ground;

@@ -34,7 +34,7 @@ internal enum BodyFlags : byte
     Airborne = 4,
 }
 
-/// <summary>A body as the last physics step left it.</summary>
+/// <summary>A body as the last tick of the physics left it.</summary>
 /// <param name="Id">Its id in the physics.</param>
 /// <param name="Kind">What it is.</param>
 /// <param name="Flags">Open, in the air.</param>
@@ -42,8 +42,9 @@ internal enum BodyFlags : byte
 /// <param name="CellId">Cell, 0xXXYYCCCC.</param>
 /// <param name="Position">Metres in the cell's landblock.</param>
 /// <param name="Yaw">Radians about z, counter-clockwise from north. Bodies stand upright.</param>
-/// <param name="Velocity">Metres a second over the last step.</param>
+/// <param name="Velocity">Metres a second over the last tick.</param>
 /// <param name="Scale">Uniform scale.</param>
 /// <param name="Size">Extent of its collision shape along its own axes, metres, scale included.</param>
 internal readonly record struct BodyPose(
-    uint Id, BodyKind Kind, BodyFlags Flags, string Name, uint CellId, Vector3 Position, float Yaw, Vector3 Velocity, float Scale, Vector3 Size);
+    uint Id, BodyKind Kind, BodyFlags Flags, string Name, uint CellId, Vector3 Position, float Yaw, Vector3 Velocity, float Scale,
+    Vector3 Size);

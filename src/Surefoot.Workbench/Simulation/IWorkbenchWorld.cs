@@ -28,7 +28,7 @@ internal interface IWorkbenchWorld : IDisposable
     /// <summary>Takes a player out, for good.</summary>
     void Leave(IWorkbenchPlayer player);
 
-    /// <summary>Brings the world to <paramref name="now"/>; true when a physics step was made.</summary>
+    /// <summary>Brings the world to <paramref name="now"/>; true when a tick of the physics was made.</summary>
     bool Advance(double now);
 
     /// <summary>Lists the bodies near a player that are no players, in the order of their ids.</summary>
@@ -53,7 +53,7 @@ internal interface IWorkbenchWorld : IDisposable
 /// <summary>One page's player.</summary>
 internal interface IWorkbenchPlayer
 {
-    /// <summary>State after the last step.</summary>
+    /// <summary>State after the last tick.</summary>
     PlayerPose Pose { get; }
 
     /// <summary>What it stands on, if anything, and what it touches.</summary>
@@ -122,7 +122,7 @@ internal readonly record struct Plant(Vector3 Low, float Radius, float Height, b
 /// <param name="Triangles">Three corners each, metres in the part's own frame at scale 1.</param>
 internal sealed record MovingShape(ushort Object, ushort Part, Vector3[] Triangles);
 
-/// <summary>Where such a part is after the last physics step.</summary>
+/// <summary>Where such a part is after the last tick of the physics.</summary>
 /// <param name="Block">Landblock, 0xXXYY.</param>
 /// <param name="Object">Which of the landblock's animated statics.</param>
 /// <param name="Part">Which part of it.</param>

@@ -10,8 +10,8 @@ using Surefoot.Physics.World;
 namespace Surefoot.Workbench.Simulation;
 
 /// <summary>
-/// Whom and what a server would spawn: guards, creatures that wander, a crowd, a door. They enter the world as anybody's bodies do, wait where nothing is
-/// loaded and come with their landblocks. The same seed and the same times give the same places.
+/// Whom and what a server would spawn: guards, creatures that wander, a crowd, a door. They enter the world as anybody's bodies do, wait
+/// where nothing is loaded and come with their landblocks. The same seed and the same times give the same places.
 /// </summary>
 internal sealed class Inhabitants
 {
@@ -58,7 +58,7 @@ internal sealed class Inhabitants
     /// <summary>The one with this body, or null.</summary>
     public Inhabitant? Find(uint bodyId) => byId.GetValueOrDefault(bodyId);
 
-    /// <summary>They decide what to do next; before the world's step.</summary>
+    /// <summary>They decide what to do next; before the world's tick.</summary>
     /// <param name="now">Seconds.</param>
     public void Act(double now)
     {
@@ -106,7 +106,9 @@ internal sealed class Inhabitants
         return true;
     }
 
-    /// <summary>A door that would catch somebody stays open until they are out: the body looks at each step whether it may be solid again.</summary>
+    /// <summary>
+    /// A door that would catch somebody stays open until they are out: the body looks at each tick whether it may be solid again.
+    /// </summary>
     private static void Close(Inhabitant door)
     {
         door.ClosesAt = double.PositiveInfinity;

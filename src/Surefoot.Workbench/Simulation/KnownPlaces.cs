@@ -44,7 +44,8 @@ internal static class KnownPlaces
     /// <summary>Slopes are looked at from the right, where their rise is seen in profile.</summary>
     private static float LookFrom(NamedPlace place)
     {
-        bool isSlope = place.Name.StartsWith("slope-", StringComparison.Ordinal) || place.Name.StartsWith("wedge-", StringComparison.Ordinal);
+        bool isSlope = place.Name.StartsWith("slope-", StringComparison.Ordinal) ||
+            place.Name.StartsWith("wedge-", StringComparison.Ordinal);
         // The wall is on the right there.
         if (place.Name == "wall-and-slope") return -Aside;
         return isSlope || place.Name is "foot-of-the-mountain" or "cliff-foot" ? Aside : 0;

@@ -37,17 +37,17 @@ internal enum PoseFlags : ushort
     Enclosed = 64,
 }
 
-/// <summary>A player as the last physics step left it.</summary>
-/// <param name="Time">Time of that step, seconds of the server's clock.</param>
+/// <summary>A player as the last tick of the physics left it.</summary>
+/// <param name="Time">Time of that tick, seconds of the server's clock.</param>
 /// <param name="CellId">Cell, 0xXXYYCCCC; the high half names the landblock in whose coordinates the position is.</param>
 /// <param name="Position">Metres in the landblock: x east, y north, z up.</param>
 /// <param name="Yaw">Radians about z, counter-clockwise from north.</param>
-/// <param name="Velocity">Metres a second over the last step.</param>
-/// <param name="Speed">Speed over ground, metres a second, averaged over the last steps: single steps carry whole animation frames.</param>
+/// <param name="Velocity">Metres a second over the last tick.</param>
+/// <param name="Speed">Speed over ground, metres a second, averaged over the last ticks: single ticks carry whole animation frames.</param>
 /// <param name="Flags">Contact and charge.</param>
 /// <param name="ContactPlane">Plane touched, in the landblock's coordinates; only with <see cref="PoseFlags.Contact"/>.</param>
 /// <param name="Charge">Jump bar, 0 to 1.</param>
-/// <param name="Quantum">Duration of the last step, seconds.</param>
+/// <param name="Quantum">Duration of the last tick, seconds.</param>
 /// <param name="RunRate">Run rate that the motion interpreter uses now; run speed is 4 × it.</param>
 /// <param name="ForwardCommand">Interpreted forward command.</param>
 /// <param name="ForwardSpeed">Its signed speed factor.</param>

@@ -6,9 +6,9 @@ using Surefoot.Physics.World;
 namespace Surefoot.Workbench.Simulation;
 
 /// <summary>
-/// Turns what bodies collide with into triangles to draw: the collision polygons of objects, buildings and rooms, and the cylinders and spheres of objects
-/// without polygons. What is not solid is not shown, and what is shown is where it stops a body. Parts that an animation moves are apart, each in its own frame:
-/// where they are is told from step to step.
+/// Turns what bodies collide with into triangles to draw: the collision polygons of objects, buildings and rooms, and the cylinders and
+/// spheres of objects without polygons. What is not solid is not shown, and what is shown is where it stops a body. Parts that an animation
+/// moves are apart, each in its own frame: where they are is told from tick to tick.
 /// </summary>
 internal static class ShapeCollector
 {
@@ -22,7 +22,8 @@ internal static class ShapeCollector
         List<NamedShape> shells = [], rooms = [];
         List<Plant> plants = [];
         List<MovingShape> moving = [];
-        ILookup<uint, StaticObject> indoors = block.StaticObjects.Where(item => !CellIds.IsOutdoor(item.Position.CellId)).ToLookup(item => item.Position.CellId);
+        ILookup<uint, StaticObject> indoors = block.StaticObjects.Where(item => !CellIds.IsOutdoor(item.Position.CellId))
+            .ToLookup(item => item.Position.CellId);
         foreach (StaticObject item in block.StaticObjects)
         {
             if (!CellIds.IsOutdoor(item.Position.CellId)) continue;
@@ -69,7 +70,9 @@ internal static class ShapeCollector
     {
         if (item.Setup is not { } setup) return;
         foreach (CylSphere cylinder in setup.Cylinders)
-            to.Add(new Plant(item.Position.Frame.LocalToGlobal(cylinder.LowPoint * item.Scale), cylinder.Radius * item.Scale, cylinder.Height * item.Scale, IsRound: false));
+            to.Add(
+                new Plant(item.Position.Frame.LocalToGlobal(cylinder.LowPoint * item.Scale), cylinder.Radius * item.Scale,
+                    cylinder.Height * item.Scale, IsRound: false));
         if (setup.Cylinders.Length > 0) return;
         foreach (Sphere sphere in setup.Spheres)
         {
@@ -89,9 +92,11 @@ internal static class ShapeCollector
         }
 
         foreach (CylSphere cylinder in setup.Cylinders)
-            AddCylinder(to, item.Position.Frame.LocalToGlobal(cylinder.LowPoint * item.Scale), cylinder.Radius * item.Scale, cylinder.Height * item.Scale);
+            AddCylinder(to, item.Position.Frame.LocalToGlobal(cylinder.LowPoint * item.Scale), cylinder.Radius * item.Scale,
+                cylinder.Height * item.Scale);
         if (setup.Cylinders.Length > 0) return;
-        foreach (Sphere sphere in setup.Spheres) AddSphere(to, item.Position.Frame.LocalToGlobal(sphere.Center * item.Scale), sphere.Radius * item.Scale);
+        foreach (Sphere sphere in setup.Spheres)
+            AddSphere(to, item.Position.Frame.LocalToGlobal(sphere.Center * item.Scale), sphere.Radius * item.Scale);
     }
 
     private static void AddPolygons(List<Vector3> to, PolygonSet polygons, in Frame frame, float scale)

@@ -18,7 +18,8 @@ internal static class ShapeSize
             ReadOnlySpan<Frame> pose = setup.RestPose;
             for (int i = 0; i < Math.Min(setup.Parts.Length, pose.Length); i++)
             {
-                foreach (Vector3 corner in setup.Parts[i].Mesh.Polygons.Corners) Take(pose[i].LocalToGlobal(corner * setup.Parts[i].DefaultScale.Z), Vector3.Zero);
+                foreach (Vector3 corner in setup.Parts[i].Mesh.Polygons.Corners)
+                    Take(pose[i].LocalToGlobal(corner * setup.Parts[i].DefaultScale.Z), Vector3.Zero);
             }
         }
         else if (setup.Cylinders.Length > 0)

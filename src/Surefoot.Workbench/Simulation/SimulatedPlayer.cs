@@ -14,7 +14,8 @@ namespace Surefoot.Workbench.Simulation;
 /// <summary>A page's player in the physics: keys go to its controller, what the page shows is read off its body.</summary>
 /// <param name="server">Its server.</param>
 /// <param name="nameOf">Names a body by its id.</param>
-internal sealed class SimulatedPlayer(LoopbackServer server, Func<uint, (TouchKind Kind, string Name)> nameOf) : IWorkbenchPlayer, IMovementObserver
+internal sealed class SimulatedPlayer(LoopbackServer server, Func<uint, (TouchKind Kind, string Name)> nameOf)
+    : IWorkbenchPlayer, IMovementObserver
 {
     /// <summary>Strength of every player; its capacity is what the burden slider is measured against.</summary>
     public const int Strength = 100;
@@ -142,10 +143,10 @@ internal sealed class SimulatedPlayer(LoopbackServer server, Func<uint, (TouchKi
     /// <inheritdoc/>
     public bool TryTakeEvent(out PlayerEvent happened) => events.TryDequeue(out happened);
 
-    /// <summary>What the server says arrives and the keys act; before the world's step.</summary>
-    public void BeforeStep(double now) => Player.Update(keys, now);
+    /// <summary>What the server says arrives and the keys act; before the world's tick.</summary>
+    public void BeforeTick(double now) => Player.Update(keys, now);
 
-    /// <summary>Reads the pose off the body; after the world's step.</summary>
+    /// <summary>Reads the pose off the body; after the world's tick.</summary>
     public void Observe(double now)
     {
         PhysicsBody body = Player.Body;

@@ -45,7 +45,9 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     /// <param name="places">Places to go to; those in cells that the files lack, or that cannot be read, are left out.</param>
     /// <param name="logger">Is told of what is left out because it cannot be read.</param>
     /// <param name="spawns">Whom and what to spawn.</param>
-    /// <exception cref="DatRecordMissingException">The region, the human setup or its motion table is missing, or those of a spawn.</exception>
+    /// <exception cref="DatRecordMissingException">
+    /// The region, the human setup or its motion table is missing, or those of a spawn.
+    /// </exception>
     /// <exception cref="DatFormatException">One of them is malformed.</exception>
     /// <exception cref="InvalidDataException">The human setup names no motion table.</exception>
     /// <exception cref="DatFolderException">There is no landblock that can be read.</exception>
@@ -105,7 +107,7 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     /// <inheritdoc/>
     public bool Advance(double now)
     {
-        foreach (SimulatedPlayer player in players) player.BeforeStep(now);
+        foreach (SimulatedPlayer player in players) player.BeforeTick(now);
         inhabitants.Act(now);
         if (!engine.Tick(now)) return false;
         foreach (SimulatedPlayer player in players)
@@ -177,7 +179,9 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     }
 
     /// <inheritdoc/>
-    /// <remarks>The block is built anew in a world of its own: the players' world belongs to their thread, only the assets are shared.</remarks>
+    /// <remarks>
+    /// The block is built anew in a world of its own: the players' world belongs to their thread, only the assets are shared.
+    /// </remarks>
     public BlockShapes? ReadShapes(ushort block)
     {
         uint blockId = (uint)block << 16;
@@ -213,7 +217,8 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
         land.EnsureLoadedAround(new Position(cellId, Vector3.Zero), radius);
         if (land.LeftOut.Total == leftOut.Total) return;
         if (leftOut.Total == 0)
-            Notice?.Invoke($"the world does without what is missing or cannot be read; the page lists it all. The first: {land.LeftOut[0]}");
+            Notice?.Invoke(
+                $"the world does without what is missing or cannot be read; the page lists it all. The first: {land.LeftOut[0]}");
         LogLeftOut(logger, land.LeftOut.Total, land.LeftOut[^1]);
         leftOut = LeftOutNotice.Of(land.LeftOut);
     }

@@ -21,7 +21,8 @@ internal static class SolidParts
         for (int i = 0; i < item.PlacedPartCount; i++)
         {
             SetupPart part = setup.Parts[i];
-            if (part.Mesh.Polygons.Count > 0) yield return new SolidPart(i, part.Mesh.Polygons, item.PartFrame(i), part.DefaultScale.Z * item.Scale);
+            if (part.Mesh.Polygons.Count > 0)
+                yield return new SolidPart(i, part.Mesh.Polygons, item.PartFrame(i), part.DefaultScale.Z * item.Scale);
         }
     }
 }

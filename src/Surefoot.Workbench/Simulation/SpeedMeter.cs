@@ -4,8 +4,8 @@ using Surefoot.Physics.World;
 namespace Surefoot.Workbench.Simulation;
 
 /// <summary>
-/// Speed over ground as a person reads it. Ground movement is handed out in whole animation frames (specification 01b, section 2), so the speed of one step
-/// jumps between two or three values; over half a second it is the speed that the formula says.
+/// Speed over ground as a person reads it. Ground movement is handed out in whole animation frames (specification 01b, section 2), so the
+/// speed of one tick jumps between two or three values; over half a second it is the speed that the formula says.
 /// </summary>
 internal sealed class SpeedMeter
 {
@@ -18,15 +18,15 @@ internal sealed class SpeedMeter
     /// <summary>Forgets the way so far, after a teleport.</summary>
     public void Reset() => marks.Clear();
 
-    /// <summary>The speed when a step ends here, metres a second.</summary>
-    /// <param name="time">End of the step, seconds; not before the last one.</param>
+    /// <summary>The speed when a tick ends here, metres a second.</summary>
+    /// <param name="time">End of the tick, seconds; not before the last one.</param>
     /// <param name="position">Where it ends.</param>
     public float At(double time, in Position position)
     {
         if (marks.Count > 0)
         {
-            Vector3 step = last.OffsetTo(position);
-            way += Math.Sqrt((step.X * (double)step.X) + (step.Y * (double)step.Y));
+            Vector3 leg = last.OffsetTo(position);
+            way += Math.Sqrt((leg.X * (double)leg.X) + (leg.Y * (double)leg.Y));
         }
 
         last = position;

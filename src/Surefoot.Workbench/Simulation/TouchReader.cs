@@ -4,8 +4,9 @@ using Surefoot.Physics.Decisions;
 namespace Surefoot.Workbench.Simulation;
 
 /// <summary>
-/// What a body stands on and touches, as its own sweeps tell: it stands on what its contact plane came from, and it touches what it slid along or was stopped by.
-/// A body that does not move is not swept, and a sweep that is bent along the wall of the one before does not meet that wall again: both keep what was told last.
+/// What a body stands on and touches, as its own sweeps tell: it stands on what its contact plane came from, and it touches what it slid
+/// along or was stopped by. A body that does not move is not swept, and a sweep that is bent along the wall of the one before does not meet
+/// that wall again: both keep what was told last.
 /// </summary>
 /// <param name="nameOf">Names a body by its id.</param>
 internal sealed class TouchReader(Func<uint, (TouchKind Kind, string Name)> nameOf)
@@ -61,7 +62,8 @@ internal sealed class TouchReader(Func<uint, (TouchKind Kind, string Name)> name
     /// <summary>Slid along it, was stopped by it, or could not land on it.</summary>
     private static bool IsTouch(in TraceEntry entry) =>
         entry.Subject.Kind is not (TraceSubjectKind.None or TraceSubjectKind.AsBefore) && entry.Plane.Normal != Vector3.Zero &&
-        (entry.Response is TransitionResponse.Slide or TransitionResponse.Stop || entry is { Response: TransitionResponse.Landing, Succeeded: false });
+        (entry.Response is TransitionResponse.Slide or TransitionResponse.Stop ||
+            entry is { Response: TransitionResponse.Landing, Succeeded: false });
 
     private void Stand(in TraceEntry end)
     {

@@ -6,14 +6,14 @@ using Surefoot.Physics.World;
 namespace Surefoot.Workbench.Simulation;
 
 /// <summary>
-/// A creature that stands a while, turns to a place near its home, walks there, and stands again. It only says what it wants, as a server's message would;
-/// whether it gets there is up to the physics.
+/// A creature that stands a while, turns to a place near its home, walks there, and stands again. It only says what it wants, as a server's
+/// message would; whether it gets there is up to the physics.
 /// </summary>
 internal sealed class Wanderer
 {
     private const double LeastPause = 1, LongestPause = 5;
 
-    // Degrees; a creature turns by about three in a step.
+    // Degrees; a creature turns by about three in a tick.
     private const float Aim = 3f;
     private const float LostTheWay = 30f;
     private const float Arrived = 0.4f;
@@ -88,7 +88,8 @@ internal sealed class Wanderer
     private void Turn(double now)
     {
         float off = OffCourse();
-        if (MathF.Abs(off) > Aim && MathF.Sign(off) == MathF.Sign(wish.TurnSpeed) && wish.TurnCommand != MotionCommand.None && now < until) return;
+        if (MathF.Abs(off) > Aim && MathF.Sign(off) == MathF.Sign(wish.TurnSpeed) && wish.TurnCommand != MotionCommand.None && now < until)
+            return;
         doing = Doing.Walking;
         until = now + LongestWalk;
         mark = body.Position;

@@ -46,7 +46,8 @@ internal readonly record struct ClientFrame(
                 return true;
             case FrameKind.Pointer when body.Length == 5:
                 float right = BinaryPrimitives.ReadSingleLittleEndian(body[1..]);
-                if (body[0] > (byte)(PointerButtons.Left | PointerButtons.Right) || !(Math.Abs(right) <= WireLimits.MaxPointerMove)) return false;
+                if (body[0] > (byte)(PointerButtons.Left | PointerButtons.Right) || !(Math.Abs(right) <= WireLimits.MaxPointerMove))
+                    return false;
                 frame = new ClientFrame(FrameKind.Pointer, Buttons: (PointerButtons)body[0], Right: right);
                 return true;
             case FrameKind.MouseTurning when body.Length == 1 && body[0] <= 1:
@@ -55,8 +56,10 @@ internal readonly record struct ClientFrame(
             case FrameKind.PlaceAt when body.Length == 20:
                 Vector3 position = new(Single(body, 4), Single(body, 8), Single(body, 12));
                 float yaw = Single(body, 16);
-                if (!float.IsFinite(position.X) || !float.IsFinite(position.Y) || float.IsInfinity(position.Z) || !float.IsFinite(yaw)) return false;
-                frame = new ClientFrame(FrameKind.PlaceAt, Cell: BinaryPrimitives.ReadUInt32LittleEndian(body), Position: position, Yaw: yaw);
+                if (!float.IsFinite(position.X) || !float.IsFinite(position.Y) || float.IsInfinity(position.Z) || !float.IsFinite(yaw))
+                    return false;
+                frame = new ClientFrame(FrameKind.PlaceAt, Cell: BinaryPrimitives.ReadUInt32LittleEndian(body), Position: position,
+                    Yaw: yaw);
                 return true;
             case FrameKind.Use or FrameKind.AutoRun or FrameKind.FocusLost when body.IsEmpty:
                 frame = new ClientFrame((FrameKind)bytes[0]);

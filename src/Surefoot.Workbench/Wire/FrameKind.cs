@@ -1,6 +1,8 @@
 namespace Surefoot.Workbench.Wire;
 
-/// <summary>First byte of every frame between a page and the server. All numbers are little-endian; lengths are fixed by the kind.</summary>
+/// <summary>
+/// First byte of every frame between a page and the server. All numbers are little-endian; lengths are fixed by the kind.
+/// </summary>
 internal enum FrameKind : byte
 {
     /// <summary>Page → server: <c>u8 keys, u32 sequence</c>.</summary>
@@ -16,7 +18,8 @@ internal enum FrameKind : byte
     Use = 0x04,
 
     /// <summary>
-    /// Page → server: <c>u8 buttons, f32 right</c>: the pointer's buttons held (<see cref="PointerButtons"/>), and how far it moved to the right, counts.
+    /// Page → server: <c>u8 buttons, f32 right</c>: the pointer's buttons held (<see cref="PointerButtons"/>), and how far it moved to the
+    /// right, counts.
     /// </summary>
     Pointer = 0x05,
 
@@ -30,35 +33,37 @@ internal enum FrameKind : byte
     FocusLost = 0x08,
 
     /// <summary>
-    /// Page → server: <c>u32 cell, f32[3] position, f32 yaw</c>: be there; a height that is no number means on the ground. Answered by a pose with another
-    /// count of teleports, or by the event <see cref="Simulation.PlayerEventKind.PlaceRefused"/>.
+    /// Page → server: <c>u32 cell, f32[3] position, f32 yaw</c>: be there; a height that is no number means on the ground. Answered by a
+    /// pose with another count of teleports, or by the event <see cref="Simulation.PlayerEventKind.PlaceRefused"/>.
     /// </summary>
     PlaceAt = 0x09,
 
     /// <summary>Server → page, once and first; see <see cref="ServerFrames.Welcome"/>.</summary>
     Welcome = 0x81,
 
-    /// <summary>Server → page: the page's own player after a step; see <see cref="ServerFrames.Pose"/>.</summary>
+    /// <summary>Server → page: the page's own player after a tick; see <see cref="ServerFrames.Pose"/>.</summary>
     Pose = 0x82,
 
-    /// <summary>Server → page: all other players after a step; who is not listed is gone; see <see cref="ServerFrames.Others"/>.</summary>
+    /// <summary>Server → page: all other players after a tick; who is not listed is gone; see <see cref="ServerFrames.Others"/>.</summary>
     Others = 0x83,
 
     /// <summary>Server → page: something that happened to the page's own player; see <see cref="ServerFrames.Event"/>.</summary>
     Event = 0x84,
 
     /// <summary>
-    /// Server → page: the bodies near the page's player that are no players, whenever one of them changed and every <see cref="WireLimits.RepeatEvery"/>
-    /// steps; who is not listed is gone or far; see <see cref="ServerFrames.Bodies"/>.
+    /// Server → page: the bodies near the page's player that are no players, whenever one of them changed and every
+    /// <see cref="WireLimits.RepeatEvery"/> ticks; who is not listed is gone or far; see <see cref="ServerFrames.Bodies"/>.
     /// </summary>
     Bodies = 0x85,
 
-    /// <summary>Server → page: what the page's player stands on and touches; sent as <see cref="Bodies"/>; see <see cref="ServerFrames.Touches"/>.</summary>
+    /// <summary>
+    /// Server → page: what the page's player stands on and touches; sent as <see cref="Bodies"/>; see <see cref="ServerFrames.Touches"/>.
+    /// </summary>
     Touches = 0x86,
 
     /// <summary>
-    /// Server → page: the parts near the page's player that animations move; sent as <see cref="Bodies"/>. What is not listed is far and stays as it was; see
-    /// <see cref="ServerFrames.Moving"/>.
+    /// Server → page: the parts near the page's player that animations move; sent as <see cref="Bodies"/>. What is not listed is far and
+    /// stays as it was; see <see cref="ServerFrames.Moving"/>.
     /// </summary>
     Moving = 0x87,
 }
@@ -99,10 +104,10 @@ internal static class WireLimits
     /// <summary>Farthest that a pointer moves between two frames, counts.</summary>
     public const float MaxPointerMove = 10_000f;
 
-    /// <summary>Shortest physics step, seconds.</summary>
+    /// <summary>Shortest tick of the physics, seconds.</summary>
     public const float MinQuantum = 1f / 30f;
 
-    /// <summary>Steps after which what has not changed is said again: a page that is slow to read loses frames.</summary>
+    /// <summary>Ticks after which what has not changed is said again: a page that is slow to read loses frames.</summary>
     public const int RepeatEvery = 30;
 
     /// <summary>Highest skill.</summary>

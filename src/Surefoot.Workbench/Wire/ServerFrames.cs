@@ -23,7 +23,8 @@ internal static class ServerFrames
     private const int LongestName = 255;
 
     /// <summary>
-    /// <c>u8 kind, u8 version, u32 player, u16 run, u16 jump, u32 burden, u32 capacity, u16 max skill, u32 max burden, u16 places, f32 min quantum</c>.
+    /// <c>u8 kind, u8 version, u32 player, u16 run, u16 jump, u32 burden, u32 capacity, u16 max skill, u32 max burden, u16 places, f32 min
+    /// quantum</c>.
     /// </summary>
     public static byte[] Welcome(uint player, PlayerSettings settings, int burdenCapacity, int places, float minQuantum)
     {
@@ -44,18 +45,18 @@ internal static class ServerFrames
     }
 
     /// <summary>
-    /// <c>u8 kind, u8 teleports, u16 flags, u32 step, u32 input sequence taken, f64 time, u32 cell, f32[3] position, f32 yaw, f32[3] velocity,
-    /// f32[4] contact plane, f32 speed over ground, f32 charge, f32 quantum, f32 run rate, u32 forward command, f32 forward, f32 sidestep, f32 turn,
-    /// u16 players</c>.
+    /// <c>u8 kind, u8 teleports, u16 flags, u32 tick, u32 input sequence taken, f64 time, u32 cell, f32[3] position, f32 yaw, f32[3]
+    /// velocity, f32[4] contact plane, f32 speed over ground, f32 charge, f32 quantum, f32 run rate, u32 forward command, f32 forward, f32
+    /// sidestep, f32 turn, u16 players</c>.
     /// </summary>
-    public static byte[] Pose(in PlayerPose pose, uint step, uint sequence, int players)
+    public static byte[] Pose(in PlayerPose pose, uint tick, uint sequence, int players)
     {
         byte[] bytes = new byte[PoseLength];
         Writer to = new(bytes);
         to.U8((byte)FrameKind.Pose);
         to.U8(pose.Teleports);
         to.U16((ushort)pose.Flags);
-        to.U32(step);
+        to.U32(tick);
         to.U32(sequence);
         to.F64(pose.Time);
         to.U32(pose.CellId);
@@ -77,8 +78,8 @@ internal static class ServerFrames
     }
 
     /// <summary>
-    /// <c>u8 kind, f64 time, u16 count</c>, then for each <c>u32 player, u8 teleports, u8 0, u16 flags, f32 charge, u32 cell, f32[3] position, f32 yaw,
-    /// f32[3] velocity, f32 forward, f32 sidestep</c> (the last two are the commands' speeds).
+    /// <c>u8 kind, f64 time, u16 count</c>, then for each <c>u32 player, u8 teleports, u8 0, u16 flags, f32 charge, u32 cell, f32[3]
+    /// position, f32 yaw, f32[3] velocity, f32 forward, f32 sidestep</c> (the last two are the commands' speeds).
     /// </summary>
     public static byte[] Others(double time, uint self, IReadOnlyList<(uint Id, PlayerPose Pose)> players)
     {
@@ -121,8 +122,8 @@ internal static class ServerFrames
     }
 
     /// <summary>
-    /// <c>u8 kind, f64 time, u16 count</c>, then for each <c>u32 body, u8 kind, u8 flags, u8 length of the name, u8 0, u32 cell, f32[3] position, f32 yaw,
-    /// f32[3] velocity, f32 scale, f32[3] size</c> and its name in UTF-8.
+    /// <c>u8 kind, f64 time, u16 count</c>, then for each <c>u32 body, u8 kind, u8 flags, u8 length of the name, u8 0, u32 cell, f32[3]
+    /// position, f32 yaw, f32[3] velocity, f32 scale, f32[3] size</c> and its name in UTF-8.
     /// </summary>
     public static byte[] Bodies(double time, IReadOnlyList<BodyPose> bodies)
     {
@@ -151,8 +152,8 @@ internal static class ServerFrames
     }
 
     /// <summary>
-    /// <c>u8 kind, u8 count</c>, then for each <c>u8 1 for what is stood on, u8 kind of thing, u8 length of the name, u8 0, u32 id, f32[3] normal</c> and its
-    /// name in UTF-8.
+    /// <c>u8 kind, u8 count</c>, then for each <c>u8 1 for what is stood on, u8 kind of thing, u8 length of the name, u8 0, u32 id, f32[3]
+    /// normal</c> and its name in UTF-8.
     /// </summary>
     public static byte[] Touches(IReadOnlyList<Touch> touches)
     {
@@ -176,8 +177,8 @@ internal static class ServerFrames
     }
 
     /// <summary>
-    /// <c>u8 kind, f64 time, u16 count</c>, then for each <c>u16 landblock, u16 object, u16 part, u16 0, f32[3] position, f32[4] rotation (x, y, z, w),
-    /// f32 scale</c>.
+    /// <c>u8 kind, f64 time, u16 count</c>, then for each <c>u16 landblock, u16 object, u16 part, u16 0, f32[3] position, f32[4] rotation
+    /// (x, y, z, w), f32 scale</c>.
     /// </summary>
     public static byte[] Moving(double time, IReadOnlyList<MovingPart> parts)
     {

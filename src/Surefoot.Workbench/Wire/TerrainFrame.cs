@@ -9,7 +9,9 @@ internal static class TerrainFrame
     /// <summary>Length of a landblock, bytes.</summary>
     public const int Length = 4 + (81 * 4) + (81 * 2) + 64;
 
-    /// <summary><c>u16 block, u16 0, f32[81] heights, u16[81] terrain words, u8[64] 1 where the cell is cut SW–NE</c>, little-endian.</summary>
+    /// <summary>
+    /// <c>u16 block, u16 0, f32[81] heights, u16[81] terrain words, u8[64] 1 where the cell is cut SW–NE</c>, little-endian.
+    /// </summary>
     public static byte[] Encode(ushort block, TerrainBlock terrain)
     {
         byte[] bytes = new byte[Length];

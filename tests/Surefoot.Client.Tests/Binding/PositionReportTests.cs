@@ -83,7 +83,8 @@ public class PositionReportTests
     [InlineData(100.02, 0f, 0.0, 0xA9B40019u, 0f, 1f, -94.5f, true)]
     [InlineData(100.02, 0f, 0.0, 0xA9B40019u, 0.1f, 0.995f, -94f, true)]
     [InlineData(101.5, 0f, 0.0, 0xA9B40019u, 0f, 1f, -94.5f, false)]
-    public void A_position_is_due_when_it_says_something_new(double now, float moved, double turned, uint cell, float normalY, float normalZ, float d, bool due)
+    public void A_position_is_due_when_it_says_something_new(
+        double now, float moved, double turned, uint cell, float normalY, float normalZ, float d, bool due)
     {
         KeyFixture f = Told();
         Position position = new(cell, new Vector3(84 + moved, 7.1f, 94));
@@ -98,7 +99,8 @@ public class PositionReportTests
     /// <summary>Told where it is at 100 s.</summary>
     private static KeyFixture Told()
     {
-        KeyFixture f = new() { Now = 100, Position = new Position(0xA9B40019, new Vector3(84, 7.1f, 94)), ContactPlane = new Plane(0, 0, 1, -94) };
+        KeyFixture f =
+            new() { Now = 100, Position = new Position(0xA9B40019, new Vector3(84, 7.1f, 94)), ContactPlane = new Plane(0, 0, 1, -94) };
         f.Controller.Update(MovementKeys.None, 100);
         f.Sent.Positions.Clear();
         return f;

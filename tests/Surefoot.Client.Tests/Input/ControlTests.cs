@@ -38,7 +38,8 @@ public class ControlTests
     }
 
     [Fact]
-    [Behaviour("controller.server.taking-control-ends-its-corrections", "spec/09b, 9.6; CommandInterpreter::TakeControlFromServer @0x006B32D0")]
+    [Behaviour("controller.server.taking-control-ends-its-corrections",
+        "spec/09b, 9.6; CommandInterpreter::TakeControlFromServer @0x006B32D0")]
     public void Taking_control_stops_everything_and_ends_following_the_servers_places()
     {
         KeyFixture f = new();

@@ -54,11 +54,13 @@ public class JumpKeyTests
         KeyFixture f = InControl();
         f.Press(MovementKeys.Jump);
         SentMove charge = Assert.Single(f.Sent.Moves);
-        Assert.Equal((HoldKey.Run, MotionCommand.Ready, true, true), (charge.State.CurrentHoldKey, charge.State.ForwardCommand, charge.Contact, charge.StandingLongJump));
+        Assert.Equal((HoldKey.Run, MotionCommand.Ready, true, true),
+            (charge.State.CurrentHoldKey, charge.State.ForwardCommand, charge.Contact, charge.StandingLongJump));
 
         f.Press(MovementKeys.Jump | MovementKeys.Forward, 5);
         Assert.Equal(2, f.Sent.Moves.Count);
-        Assert.Equal((MotionCommand.WalkForward, true, true), (f.LastSent.State.ForwardCommand, f.LastSent.Contact, f.LastSent.StandingLongJump));
+        Assert.Equal((MotionCommand.WalkForward, true, true),
+            (f.LastSent.State.ForwardCommand, f.LastSent.Contact, f.LastSent.StandingLongJump));
         Assert.Equal((MotionCommand.WalkForward, MotionCommand.Ready), (f.Raw.ForwardCommand, f.Movement.Animation!.Substate));
     }
 

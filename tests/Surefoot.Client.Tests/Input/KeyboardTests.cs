@@ -230,7 +230,8 @@ public class KeyboardTests
         f.Controller.SetAutoRun(true, f.Now);
         Assert.Equal(
             (HoldKey.None, MotionCommand.WalkForward, HoldKey.Run, 1f),
-            (f.LastSent.State.CurrentHoldKey, f.LastSent.State.ForwardCommand, f.LastSent.State.ForwardHoldKey, f.LastSent.State.ForwardSpeed));
+            (f.LastSent.State.CurrentHoldKey, f.LastSent.State.ForwardCommand, f.LastSent.State.ForwardHoldKey,
+                f.LastSent.State.ForwardSpeed));
         Assert.Equal((MotionCommand.RunForward, 2.6500001f), f.Forward);
 
         f.Press(MovementKeys.Walk | MovementKeys.TurnRight);
@@ -316,7 +317,8 @@ public class KeyboardTests
             bool forward = (last & (MovementKeys.Forward | MovementKeys.Back)) != 0;
             if (forward != (f.Forward.Command != MotionCommand.Ready)) return false;
             f.Press(MovementKeys.None, 2);
-            return f.Forward.Command == MotionCommand.Ready && f.Turn.Command == MotionCommand.None && f.Sidestep.Command == MotionCommand.None &&
+            return f.Forward.Command == MotionCommand.Ready && f.Turn.Command == MotionCommand.None &&
+                f.Sidestep.Command == MotionCommand.None &&
                    f.Raw is { ForwardCommand: MotionCommand.Ready, SidestepCommand: MotionCommand.None, TurnCommand: MotionCommand.None };
         });
     }

@@ -38,7 +38,8 @@ public class MouseTurningTests
         Assert.Equal(2, f.Sent.Moves.Count);
         Assert.Equal(
             (HoldKey.Run, MotionCommand.Ready, MotionCommand.TurnRight, 0.400000036f, HoldKey.Run),
-            (f.LastSent.State.CurrentHoldKey, f.LastSent.State.ForwardCommand, f.LastSent.State.TurnCommand, f.LastSent.State.TurnSpeed, f.LastSent.State.TurnHoldKey));
+            (f.LastSent.State.CurrentHoldKey, f.LastSent.State.ForwardCommand, f.LastSent.State.TurnCommand, f.LastSent.State.TurnSpeed,
+                f.LastSent.State.TurnHoldKey));
     }
 
     [Fact]
@@ -206,7 +207,8 @@ public class MouseTurningTests
         KeyFixture f = Looking(MovementKeys.Walk);
         f.Controller.SetMouseButtons(left: true, right: true, f.Now);
         Assert.Equal((MotionCommand.RunForward, 2.6500001f), f.Forward);
-        Assert.Equal((HoldKey.None, MotionCommand.WalkForward, HoldKey.Run), (f.LastSent.State.CurrentHoldKey, f.LastSent.State.ForwardCommand, f.LastSent.State.ForwardHoldKey));
+        Assert.Equal((HoldKey.None, MotionCommand.WalkForward, HoldKey.Run),
+            (f.LastSent.State.CurrentHoldKey, f.LastSent.State.ForwardCommand, f.LastSent.State.ForwardHoldKey));
         f.Controller.SetMouseButtons(left: false, right: true, f.Now);
         Assert.Equal(MotionCommand.Ready, f.Forward.Command);
         Assert.Equal(3, f.Sent.Moves.Count);
@@ -252,7 +254,8 @@ public class MouseTurningTests
     {
         KeyFixture f = Looking();
         f.Press(MovementKeys.TurnLeft);
-        Assert.Equal((MotionCommand.SideStepLeft, HoldKey.Invalid, MotionCommand.None), (f.Raw.SidestepCommand, f.Raw.SidestepHoldKey, f.Raw.TurnCommand));
+        Assert.Equal((MotionCommand.SideStepLeft, HoldKey.Invalid, MotionCommand.None),
+            (f.Raw.SidestepCommand, f.Raw.SidestepHoldKey, f.Raw.TurnCommand));
         f.Press(MovementKeys.TurnLeft | MovementKeys.TurnRight);
         Assert.Equal(MotionCommand.SideStepRight, f.Raw.SidestepCommand);
         f.Press(MovementKeys.TurnLeft);

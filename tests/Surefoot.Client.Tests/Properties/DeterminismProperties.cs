@@ -66,7 +66,9 @@ public sealed class DeterminismProperties(DemoFiles files) : IClassFixture<DemoF
             (trip, order) =>
             {
                 uint middle = DemoPlaces.All[trip.Place].CellId;
-                uint[] blocks = [.. Enumerable.Range(0, 9).Select(i => CellIds.BlockOf(middle) + (uint)(((i / 3) - 1) << 24) + (uint)(((i % 3) - 1) << 16))];
+                uint[] blocks = [
+                    .. Enumerable.Range(0, 9)
+                        .Select(i => CellIds.BlockOf(middle) + (uint)(((i / 3) - 1) << 24) + (uint)(((i % 3) - 1) << 16))];
                 ulong[] inOrder = Hashes(trip, blocks), shuffled = Hashes(trip, [.. order.Select(i => blocks[i])]);
                 Assert.Equal(inOrder, shuffled);
             },
@@ -186,7 +188,8 @@ public sealed class DeterminismProperties(DemoFiles files) : IClassFixture<DemoF
         return [.. apart];
     }
 
-    private ulong[] Hashes(Trip trip, params ReadOnlySpan<uint> loaded) => Journey.Begin(files, trip, loaded) is { } journey ? Hashes(journey) : [];
+    private ulong[] Hashes(Trip trip, params ReadOnlySpan<uint> loaded) =>
+        Journey.Begin(files, trip, loaded) is { } journey ? Hashes(journey) : [];
 
     private static ulong[] Hashes(Journey journey, Action? each = null)
     {

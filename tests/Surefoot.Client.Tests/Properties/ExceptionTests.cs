@@ -19,7 +19,8 @@ public sealed class ExceptionTests(DemoFiles files) : IClassFixture<DemoFiles>
     private const PhysicsState Plain = PhysicsState.Gravity | PhysicsState.ReportCollisions;
     private const WeenieTraits Beast = WeenieTraits.Present | WeenieTraits.Creature;
 
-    private static readonly SetupAsset Ball = new() { Id = 0x02FF0001, Spheres = [new Sphere(Vector3.Zero, 0.25f)], StepUpHeight = 0.3f, StepDownHeight = 0.3f };
+    private static readonly SetupAsset Ball =
+        new() { Id = 0x02FF0001, Spheres = [new Sphere(Vector3.Zero, 0.25f)], StepUpHeight = 0.3f, StepDownHeight = 0.3f };
 
     [Fact]
     [Behaviour("properties.exception.steep-ground-walked-into", "spec/03, 4.4 (end) and 4.7 edge_slide case A")]
@@ -30,7 +31,8 @@ public sealed class ExceptionTests(DemoFiles files) : IClassFixture<DemoFiles>
         foot.Frame.Origin.Y = 191.9f;
         foot.CellId = (foot.CellId & 0xFFFF0000) | 0x20;
         Assert.True(foot.AdjustToOutside());
-        PhysicsBody careless = Enter(engine, foot, Plain), careful = Enter(engine, foot with { Frame = Moved(foot.Frame, new Vector3(3, 0, 0)) }, PhysicsState.Default);
+        PhysicsBody careless = Enter(engine, foot, Plain),
+            careful = Enter(engine, foot with { Frame = Moved(foot.Frame, new Vector3(3, 0, 0)) }, PhysicsState.Default);
         SolidTest test = new(world);
 
         float level = careless.Position.Frame.Origin.Z;
@@ -52,7 +54,8 @@ public sealed class ExceptionTests(DemoFiles files) : IClassFixture<DemoFiles>
     [Behaviour("properties.exception.passed-by-one-sphere", "spec/04, 4.6 row 5 and 4.13, last point")]
     public void One_sphere_passes_a_face_that_it_does_not_run_against_and_two_do_not()
     {
-        // The stair is 3 m wide and begins 5 m north of the place. The ball's way west overlaps its front by 6 mm, and its end face not at all in either step.
+        // The stair is 3 m wide and begins 5 m north of the place. The ball's way west overlaps its front by 6 mm, and its end face not at
+        // all in either step.
         (PhysicsWorld world, PhysicsEngine engine, Position place) = At("steps-80", default);
         SolidTest test = new(world);
         PhysicsBody ball = Enter(engine, Off(place, new Vector3(1.626f, 5 - 0.244f, 0.25f)), Plain, Ball);
@@ -118,7 +121,8 @@ public sealed class ExceptionTests(DemoFiles files) : IClassFixture<DemoFiles>
     }
 
     [Fact]
-    [Behaviour("properties.exception.others-walk-into-it", "spec/06, 4 and spec/02, 4.21 step 7: a mover is its spheres, an obstacle its cylinders")]
+    [Behaviour("properties.exception.others-walk-into-it",
+        "spec/06, 4 and spec/02, 4.21 step 7: a mover is its spheres, an obstacle its cylinders")]
     public void Whoever_stands_still_may_find_itself_inside_another_that_came()
     {
         (PhysicsWorld world, PhysicsEngine engine, Position place) = At("gaps", default);
@@ -131,7 +135,8 @@ public sealed class ExceptionTests(DemoFiles files) : IClassFixture<DemoFiles>
             StepDownHeight = 0.6f,
         };
         SolidTest test = new(world);
-        PhysicsBody human = Enter(engine, place, PhysicsState.Default), other = Enter(engine, Off(place, new Vector3(0, -3, 0)), PhysicsState.Default, fat);
+        PhysicsBody human = Enter(engine, place, PhysicsState.Default),
+            other = Enter(engine, Off(place, new Vector3(0, -3, 0)), PhysicsState.Default, fat);
         Assert.Equal(Stand.Free, test.Judge(human));
         for (int i = 0; i < 60; i++) Strides.Walk(other, new Vector3(0, 0.1f, 0));
         float gap = other.Position.OffsetTo(human.Position).Y;

@@ -22,7 +22,8 @@ internal sealed class Journey
     private const uint SmallCreatureSetup = 0x02000100;
     private const float Company = 40;
 
-    private static readonly SetupAsset Ball = new() { Id = 0x02FF0001, Spheres = [new Sphere(Vector3.Zero, 0.25f)], StepUpHeight = 0.3f, StepDownHeight = 0.3f };
+    private static readonly SetupAsset Ball =
+        new() { Id = 0x02FF0001, Spheres = [new Sphere(Vector3.Zero, 0.25f)], StepUpHeight = 0.3f, StepDownHeight = 0.3f };
     private static readonly SetupAsset Arrow = new() { Id = 0x02FF0002, Spheres = [new Sphere(Vector3.Zero, 0.1f)] };
 
     private readonly Trip trip;
@@ -153,7 +154,8 @@ internal sealed class Journey
         start.AdjustToOutside();
         world.EnsureLoadedAround(start, 1);
         // On the ground, unless the place itself is on something that stands there.
-        if (world.GetVisible(named.CellId) is LandCell land && land.Landblock.Terrain.TryGetHeight(named.Origin.X, named.Origin.Y, out float below) &&
+        if (world.GetVisible(named.CellId) is LandCell land &&
+            land.Landblock.Terrain.TryGetHeight(named.Origin.X, named.Origin.Y, out float below) &&
             named.Origin.Z - below < 1 && world.GetVisible(start.CellId) is LandCell cell &&
             cell.Landblock.Terrain.TryGetHeight(start.Frame.Origin.X, start.Frame.Origin.Y, out float height))
         {

@@ -27,7 +27,11 @@ public sealed class MovementProperties(DemoFiles files) : IClassFixture<DemoFile
                     if (stand != Stand.Free || journey.Body.IsLost) return;
                     stand = test.Judge(journey.Body);
                     Assert.True(stand != Stand.Inside, $"{journey.Body.Position} is inside something of {test.Culprit?.Id:X8}");
-                    if (trip.Who == Traveller.Player) Assert.True(stand is Stand.Free or Stand.SolidWithoutFaces or Stand.SweptOver, $"{stand} at {journey.Body.Position}");
+                    if (trip.Who == Traveller.Player)
+                    {
+                        Assert.True(stand is Stand.Free or Stand.SolidWithoutFaces or Stand.SweptOver,
+                            $"{stand} at {journey.Body.Position}");
+                    }
                 });
             }),
             iter: Fuzz.Cases(4000));
@@ -50,7 +54,8 @@ public sealed class MovementProperties(DemoFiles files) : IClassFixture<DemoFile
                     SweepResult result = query.Sweep(body, to);
                     if (!result.Found || journey.World.GetVisible(result.Position.CellId) is null) continue;
                     Stand stand = test.Judge(body, result.Position, result.Contact is not null);
-                    Assert.True(stand != Stand.Inside, $"{way} from {body.Position} ends at {result.Position} inside something of {test.Culprit?.Id:X8}");
+                    Assert.True(stand != Stand.Inside,
+                        $"{way} from {body.Position} ends at {result.Position} inside something of {test.Culprit?.Id:X8}");
                 }
             }),
             iter: Fuzz.Cases(3000));
@@ -66,8 +71,11 @@ public sealed class MovementProperties(DemoFiles files) : IClassFixture<DemoFile
                 PhysicsBody body = journey.Body;
                 journey.Go(() =>
                 {
-                    Assert.True(RetailMath.IsFinite(body.Position.Frame.Origin) && RetailMath.IsFinite(body.Velocity), $"at {body.Position}, {body.Velocity} m/s");
-                    Assert.True(RetailMath.IsFinite(body.Acceleration) && RetailMath.IsFinite(body.AchievedVelocity) && RetailMath.IsFinite(body.Omega));
+                    Assert.True(RetailMath.IsFinite(body.Position.Frame.Origin) && RetailMath.IsFinite(body.Velocity),
+                        $"at {body.Position}, {body.Velocity} m/s");
+                    Assert.True(
+                        RetailMath.IsFinite(body.Acceleration) && RetailMath.IsFinite(body.AchievedVelocity) &&
+                            RetailMath.IsFinite(body.Omega));
                     Assert.Equal(1, body.Position.Frame.Rotation.Length(), 1e-3);
                     if (!body.HasContact) return;
                     Assert.True(float.IsFinite(body.ContactPlane.D));

@@ -19,12 +19,14 @@ public sealed class ShadowProperties(DemoFiles files) : IClassFixture<DemoFiles>
     private const uint TownBlock = 0xA8B50000;
 
     private static readonly Sphere[] WithoutSpheres = [new(new Vector3(0, 0, 0.1f), 0.1f)];
-    private static readonly SetupAsset Ball = new() { Id = 0x02FF0001, Spheres = [new Sphere(Vector3.Zero, 0.25f)], StepUpHeight = 0.3f, StepDownHeight = 0.3f };
+    private static readonly SetupAsset Ball =
+        new() { Id = 0x02FF0001, Spheres = [new Sphere(Vector3.Zero, 0.25f)], StepUpHeight = 0.3f, StepDownHeight = 0.3f };
 
     /// <summary>The town's block, its neighbours, and that of the dungeon.</summary>
     private static readonly uint[] Blocks =
     [
-        .. Enumerable.Range(0, 9).Select(i => TownBlock + (uint)(((i / 3) - 1) << 24) + (uint)(((i % 3) - 1) << 16)), CellIds.BlockOf(PlaceOf("dungeon").CellId),
+        .. Enumerable.Range(0, 9).Select(i => TownBlock + (uint)(((i / 3) - 1) << 24) + (uint)(((i % 3) - 1) << 16)),
+        CellIds.BlockOf(PlaceOf("dungeon").CellId),
     ];
 
     private static readonly NamedPlace[] Places = [.. DemoPlaces.All.Where(p => Blocks.Contains(CellIds.BlockOf(p.CellId)))];
@@ -45,7 +47,8 @@ public sealed class ShadowProperties(DemoFiles files) : IClassFixture<DemoFiles>
     public void Shadows_after_any_history_are_those_of_a_fresh_world()
     {
         Gen<Deed> deed = Gen.Select(
-            Gen.Frequency((4, Gen.Const(What.Stride)), (6, Gen.Enum<What>())), Gen.Int[0, 5], Gen.Int[0, 999], Gen.Float[-6, 6], Gen.Float[-6, 6],
+            Gen.Frequency((4, Gen.Const(What.Stride)), (6, Gen.Enum<What>())), Gen.Int[0, 5], Gen.Int[0, 999], Gen.Float[-6, 6],
+            Gen.Float[-6, 6],
             (what, who, which, x, y) => new Deed(what, who, which, x, y));
         deed.Array[1, 40].Sample(
             deeds =>
@@ -62,7 +65,8 @@ public sealed class ShadowProperties(DemoFiles files) : IClassFixture<DemoFiles>
     }
 
     [Fact]
-    [Behaviour("properties.exception.turned-where-it-stands", "spec/02, 4.13 step 11: shadows are renewed by a commit, and turning commits nothing")]
+    [Behaviour("properties.exception.turned-where-it-stands",
+        "spec/02, 4.13 step 11: shadows are renewed by a commit, and turning commits nothing")]
     public void Parts_that_turn_keep_the_shadows_of_the_last_commit()
     {
         PhysicsEngine engine = files.CreateEngine();
@@ -84,7 +88,8 @@ public sealed class ShadowProperties(DemoFiles files) : IClassFixture<DemoFiles>
     }
 
     [Fact]
-    [Behaviour("properties.exception.refused-while-lost", "spec/02, 4.16 steps 1 and 6, 4.17 prepare_to_enter_world: the lost cell is left before the place is tried")]
+    [Behaviour("properties.exception.refused-while-lost",
+        "spec/02, 4.16 steps 1 and 6, 4.17 prepare_to_enter_world: the lost cell is left before the place is tried")]
     public void A_lost_body_that_is_refused_somewhere_is_nowhere_until_it_is_put_where_it_fits()
     {
         PhysicsEngine engine = files.CreateEngine();
@@ -143,7 +148,8 @@ public sealed class ShadowProperties(DemoFiles files) : IClassFixture<DemoFiles>
                 break;
             case What.Turn:
                 body.SetHeading(deed.X * 60);
-                // Turning renews no shadows (specification 02, 4.4 and 4.13 step 11); those of parts would be the old ones until the next commit.
+                // Turning renews no shadows (specification 02, 4.4 and 4.13 step 11); those of parts would be the old ones until the next
+                // commit.
                 if (body.State.Has(PhysicsState.HasPhysicsBsp)) body.SetPositionSimple(body.Position, sliding: true);
                 break;
             case What.Push:
@@ -151,17 +157,21 @@ public sealed class ShadowProperties(DemoFiles files) : IClassFixture<DemoFiles>
                 break;
         }
 
-        for (int i = 0; i < deed.Which % 25; i++) Strides.Walk(body, deed.What == What.Stride ? new Vector3(deed.X, deed.Y, 0) / 12 : default);
+        for (int i = 0; i < deed.Which % 25; i++)
+            Strides.Walk(body, deed.What == What.Stride ? new Vector3(deed.X, deed.Y, 0) / 12 : default);
     }
 
     private PhysicsBody Create(PhysicsEngine engine, int who, uint id)
     {
         const WeenieTraits beast = WeenieTraits.Present | WeenieTraits.Creature;
-        SetupAsset SetupOf(DemoSpawnKind kind, string name) => files.Cache.GetSetup(DemoSpawns.All.First(s => s.Kind == kind && s.Name == name).SetupId);
+        SetupAsset SetupOf(DemoSpawnKind kind, string name) =>
+            files.Cache.GetSetup(DemoSpawns.All.First(s => s.Kind == kind && s.Name == name).SetupId);
         return who switch
         {
             0 or 1 => engine.CreateBody(id, files.Cache.GetSetup(0x02000001), weenie: beast),
-            2 => engine.CreateBody(id, SetupOf(DemoSpawnKind.Wanderer, "creature-1"), PhysicsState.Gravity | PhysicsState.ReportCollisions, beast, 1.5f),
+            2 =>
+                engine.CreateBody(id, SetupOf(DemoSpawnKind.Wanderer, "creature-1"), PhysicsState.Gravity | PhysicsState.ReportCollisions,
+                    beast, 1.5f),
             3 => engine.CreateBody(id, Ball, weenie: WeenieTraits.Present),
             4 => engine.CreateBody(id, SetupOf(DemoSpawnKind.Wanderer, "creature-3"), weenie: beast),
             _ => engine.CreateBody(id, SetupOf(DemoSpawnKind.Door, "door"), PhysicsState.ReportCollisions, WeenieTraits.Present),
@@ -176,8 +186,9 @@ public sealed class ShadowProperties(DemoFiles files) : IClassFixture<DemoFiles>
     }
 
     /// <summary>
-    /// Gives everybody two quanta more. A body put into the air keeps the list of the probe that found no footing (specification 03, 4.9, step 5), and so does one
-    /// that lost the ground (4.7, edge_slide case A), until its next quantum: those who lost it in the second are named.
+    /// Gives everybody two quanta more. A body put into the air keeps the list of the probe that found no footing (specification 03, 4.9,
+    /// step 5), and so does one that lost the ground (4.7, edge_slide case A), until its next quantum: those who lost it in the second are
+    /// named.
     /// </summary>
     private static HashSet<uint> Settle(PhysicsEngine engine)
     {
@@ -220,7 +231,8 @@ public sealed class ShadowProperties(DemoFiles files) : IClassFixture<DemoFiles>
             }
 
             path.Reset();
-            path.Path.InitSpheres(twin.Setup!.Spheres.IsEmpty ? WithoutSpheres : twin.Setup.Spheres, twin.Setup.Spheres.IsEmpty ? 1 : twin.Scale);
+            path.Path.InitSpheres(twin.Setup!.Spheres.IsEmpty ? WithoutSpheres : twin.Setup.Spheres,
+                twin.Setup.Spheres.IsEmpty ? 1 : twin.Scale);
             path.Path.SetCheckPos(twin.Position, twin.Cell);
             ObjCell? home = null;
             fresh.FindCellList(path.Cells, twin.Position, path.Path.CheckSpheres, wantHome: true, ref home);
@@ -239,7 +251,8 @@ public sealed class ShadowProperties(DemoFiles files) : IClassFixture<DemoFiles>
             List<WorldObject> listed = [.. Enumerable.Range(0, cell.ShadowCount).Select(cell.ShadowAt)];
             if (listed.Count == 0) continue;
             text.Append(CultureInfo.InvariantCulture, $"{cell.Id:X8}:");
-            foreach (WorldObject item in listed.Where(o => o is StaticObject)) text.Append(CultureInfo.InvariantCulture, $" {item.Setup!.Id:X}@{item.Position}");
+            foreach (WorldObject item in listed.Where(o => o is StaticObject))
+                text.Append(CultureInfo.InvariantCulture, $" {item.Setup!.Id:X}@{item.Position}");
             foreach (uint id in listed.OfType<PhysicsBody>().Select(b => b.Id).Order())
             {
                 if (!leftOut.Contains(id)) text.Append(CultureInfo.InvariantCulture, $" body {id:X}");

@@ -6,7 +6,9 @@ using Surefoot.Physics.World;
 
 namespace Surefoot.Client.Tests.Properties;
 
-/// <summary>What retail's own test says of a place. All but the first two are the specification's own exceptions to "nobody ends inside a solid".</summary>
+/// <summary>
+/// What retail's own test says of a place. All but the first two are the specification's own exceptions to "nobody ends inside a solid".
+/// </summary>
 internal enum Stand
 {
     /// <summary>Nothing objects.</summary>
@@ -16,30 +18,35 @@ internal enum Stand
     Inside,
 
     /// <summary>
-    /// A walker that does not slide along edges walked into ground too steep to stand on: the ground answers OK without lifting it (specification 03, 4.4, end), no
-    /// floor is found, and it "walks off" where it is (03, 4.7, edge_slide, case A). The next quantum lifts it.
+    /// A walker that does not slide along edges walked into ground too steep to stand on: the ground answers OK without lifting it
+    /// (specification 03, 4.4, end), no floor is found, and it "walks off" where it is (03, 4.7, edge_slide, case A). The next quantum
+    /// lifts it.
     /// </summary>
     SteepGroundWalkedInto,
 
     /// <summary>
-    /// A body of one sphere that stands passes polygons that it overlaps without running against them: only those of two spheres answer them later (specification
-    /// 04, 4.6 row 5, and 4.13, last point).
+    /// A body of one sphere that stands passes polygons that it overlaps without running against them: only those of two spheres answer
+    /// them later (specification 04, 4.6 row 5, and 4.13, last point).
     /// </summary>
     PassedByOneSphere,
 
     /// <summary>
-    /// The centre is in a leaf marked solid and no polygon is touched: sweeps ask polygons only, and the mark is consulted only when a body is placed
-    /// (specification 04, 4.5 and 4.6). Met in the hollow of a building: a room is reached one centimetre (04, 3, CELL_FUDGE) before its faces are.
+    /// The centre is in a leaf marked solid and no polygon is touched: sweeps ask polygons only, and the mark is consulted only when a body
+    /// is placed (specification 04, 4.5 and 4.6). Met in the hollow of a building: a room is reached one centimetre (04, 3, CELL_FUDGE)
+    /// before its faces are.
     /// </summary>
     SolidWithoutFaces,
 
-    /// <summary>A part of an animated static came to where the body is: only the part moves, nothing pushes a body out of its way (specification 02, 4.19).</summary>
+    /// <summary>
+    /// A part of an animated static came to where the body is: only the part moves, nothing pushes a body out of its way (specification 02,
+    /// 4.19).
+    /// </summary>
     SweptOver,
 }
 
 /// <summary>
-/// Retail's own test of a place: the spheres of a body are inserted as a placement does it (specification 03, 4.8.3 and 4.9), into the body's cell and every
-/// cell that the spheres reach.
+/// Retail's own test of a place: the spheres of a body are inserted as a placement does it (specification 03, 4.8.3 and 4.9), into the
+/// body's cell and every cell that the spheres reach.
 /// </summary>
 internal sealed class SolidTest(PhysicsWorld world)
 {
@@ -60,7 +67,9 @@ internal sealed class SolidTest(PhysicsWorld world)
         if (IsFreeOfWhatStandsStill(body, place, cell)) return Stand.SweptOver;
         // The ground is the only one to move a body that is being placed: it lifts it.
         if (state == TransitionState.Adjusted)
-            return !hasContact && !body.State.Has(PhysicsState.EdgeSlide) && IsOverSteepGround() ? Stand.SteepGroundWalkedInto : Stand.Inside;
+            return !hasContact && !body.State.Has(PhysicsState.EdgeSlide) && IsOverSteepGround()
+                ? Stand.SteepGroundWalkedInto
+                : Stand.Inside;
         if (Insert(body, place, cell, facesOnly: true) == TransitionState.OK) return Stand.SolidWithoutFaces;
         return body.Setup!.Spheres.Length == 1 ? Stand.PassedByOneSphere : Stand.Inside;
     }

@@ -58,20 +58,24 @@ internal static class SubStepMeter
 
         internal bool Slid { get; init; }
 
-        public override string ToString() => $"asked {Asked} moved {Moved} on {Floor} to {End}, cliff {CliffSlide}, landed {Landed}, slid {Slid}";
+        public override string ToString() =>
+            $"asked {Asked} moved {Moved} on {Floor} to {End}, cliff {CliffSlide}, landed {Landed}, slid {Slid}";
     }
 }
 
 /// <summary>
-/// How far a step may lead: as far as asked, plus the step heights. Each property that allows more is an exception that the specification makes, and is pinned
-/// with its numbers by a behaviour of its own: <c>transition.offset.bends</c>, <c>transition.offset.unsinks</c>, <c>transition.slide.table</c>,
-/// <c>transition.cliff-slide.table</c>, <c>transition.terrain-contact.table</c>, <c>bsp.step-down.reach</c>, <c>polygon.rest.before-the-begin</c>.
+/// How far a step may lead: as far as asked, plus the step heights. Each property that allows more is an exception that the specification
+/// makes, and is pinned with its numbers by a behaviour of its own: <c>transition.offset.bends</c>, <c>transition.offset.unsinks</c>,
+/// <c>transition.slide.table</c>, <c>transition.cliff-slide.table</c>, <c>transition.terrain-contact.table</c>, <c>bsp.step-down.reach</c>,
+/// <c>polygon.rest.before-the-begin</c>.
 /// </summary>
 internal readonly struct Reach(SubStepMeter.SubStep step, PhysicsBody body)
 {
     private const double Rounding = 0.001;
 
-    /// <summary>Who is not on walkable ground steps up and down by this much (specification 03, 4.6, transitional_insert, and 4.7, step_up).</summary>
+    /// <summary>
+    /// Who is not on walkable ground steps up and down by this much (specification 03, 4.6, transitional_insert, and 4.7, step_up).
+    /// </summary>
     private const double UnsteadyStep = 0.04;
 
     private double Asked => step.Asked.Length();
@@ -79,11 +83,14 @@ internal readonly struct Reach(SubStepMeter.SubStep step, PhysicsBody body)
     private float Radius => body.Setup!.Spheres[0].Radius * body.Scale;
 
     /// <summary>
-    /// Meshes are stepped onto up to one and a half times the height that terrain is: the floor of the probe is −0.5 for polygons (specification 04, 4.13).
+    /// Meshes are stepped onto up to one and a half times the height that terrain is: the floor of the probe is −0.5 for polygons
+    /// (specification 04, 4.13).
     /// </summary>
     private double StepUpOntoMeshes => 1.5 * Math.Max(body.StepUpHeight, UnsteadyStep);
 
-    /// <summary>Away from the floor x and y are kept and z is taken from the plane (specification 03, 4.6, adjust_offset, step 3).</summary>
+    /// <summary>
+    /// Away from the floor x and y are kept and z is taken from the plane (specification 03, 4.6, adjust_offset, step 3).
+    /// </summary>
     private double DownhillSnap
     {
         get
@@ -94,18 +101,22 @@ internal readonly struct Reach(SubStepMeter.SubStep step, PhysicsBody body)
         }
     }
 
-    /// <summary>A body that stands deeper than tangent is lifted, by less than its radius (specification 03, 4.6, adjust_offset, step 4).</summary>
+    /// <summary>
+    /// A body that stands deeper than tangent is lifted, by less than its radius (specification 03, 4.6, adjust_offset, step 4).
+    /// </summary>
     private double UnSink => step.Floor is null ? 0 : Radius;
 
     /// <summary>A slide projects the step together with the lift before it onto its crease (specification 03, 4.8.1, step 4).</summary>
     private double SlideOfLift => step.Slid ? UnSink : 0;
 
-    /// <summary>A slope that rises ahead doubles the part of the step across it, in each of three attempts (specification 03, 4.7, cliff_slide).</summary>
+    /// <summary>
+    /// A slope that rises ahead doubles the part of the step across it, in each of three attempts (specification 03, 4.7, cliff_slide).
+    /// </summary>
     private double CliffSlide => step.CliffSlide ? 7 * Asked : 0;
 
     /// <summary>
-    /// Who lands is drawn back along its way until it is tangent to the polygon, which may be before where it began: the floor of −0.5 is compared after
-    /// multiplying with what earlier polygons left (specification 04, 4.4, adjust_sphere_to_plane, step 4).
+    /// Who lands is drawn back along its way until it is tangent to the polygon, which may be before where it began: the floor of −0.5 is
+    /// compared after multiplying with what earlier polygons left (specification 04, 4.4, adjust_sphere_to_plane, step 4).
     /// </summary>
     private bool IsDrawnBackAlongItsWay
     {
@@ -117,12 +128,15 @@ internal readonly struct Reach(SubStepMeter.SubStep step, PhysicsBody body)
         }
     }
 
-    /// <summary>The ground lifts whoever enters it straight up to its surface, however steep it is (specification 03, 4.4, step 4).</summary>
+    /// <summary>
+    /// The ground lifts whoever enters it straight up to its surface, however steep it is (specification 03, 4.4, step 4).
+    /// </summary>
     private bool IsLiftedByGround(PhysicsWorld world)
     {
         Vector3 at = step.End.Frame.Origin;
         double low = at.Z + ((body.Setup!.Spheres[0].Center.Z - body.Setup!.Spheres[0].Radius) * body.Scale);
-        return world.GetVisible(step.End.CellId) is LandCell land && land.Landblock.Terrain.TryGetHeight(at.X, at.Y, out float height) && low < height + 0.002;
+        return world.GetVisible(step.End.CellId) is LandCell land && land.Landblock.Terrain.TryGetHeight(at.X, at.Y, out float height) &&
+            low < height + 0.002;
     }
 
     /// <summary>Null when the step kept to its bounds, otherwise what it exceeded.</summary>

@@ -41,13 +41,17 @@ internal enum Traveller
 /// <param name="JumpSkill">Jump skill.</param>
 /// <param name="FrameTime">Length of a frame in quanta of 1/30 s.</param>
 /// <param name="Deeds">In this order.</param>
-internal sealed record Trip(Traveller Who, int Place, Vector3 Offset, float Heading, int RunSkill, int JumpSkill, int FrameTime, Deed[] Deeds)
+internal sealed record Trip(
+    Traveller Who, int Place, Vector3 Offset, float Heading, int RunSkill, int JumpSkill, int FrameTime, Deed[] Deeds)
 {
     private static readonly MovementKeys[] Held =
     [
-        MovementKeys.None, MovementKeys.Forward, MovementKeys.Forward, MovementKeys.Forward, MovementKeys.Forward | MovementKeys.Walk, MovementKeys.Back,
-        MovementKeys.SidestepLeft, MovementKeys.SidestepRight, MovementKeys.Forward | MovementKeys.TurnLeft, MovementKeys.Forward | MovementKeys.TurnRight,
-        MovementKeys.TurnLeft, MovementKeys.TurnRight, MovementKeys.Forward | MovementKeys.SidestepLeft, MovementKeys.Forward | MovementKeys.SidestepRight,
+        MovementKeys.None, MovementKeys.Forward, MovementKeys.Forward, MovementKeys.Forward, MovementKeys.Forward | MovementKeys.Walk,
+        MovementKeys.Back,
+        MovementKeys.SidestepLeft, MovementKeys.SidestepRight, MovementKeys.Forward | MovementKeys.TurnLeft,
+        MovementKeys.Forward | MovementKeys.TurnRight,
+        MovementKeys.TurnLeft, MovementKeys.TurnRight, MovementKeys.Forward | MovementKeys.SidestepLeft,
+        MovementKeys.Forward | MovementKeys.SidestepRight,
         MovementKeys.Forward | MovementKeys.Jump, MovementKeys.Jump, MovementKeys.Back | MovementKeys.Jump,
     ];
 
@@ -57,7 +61,8 @@ internal sealed record Trip(Traveller Who, int Place, Vector3 Offset, float Head
         (1, Gen.Select(Gen.Float[-40, 40], Gen.Float[-40, 40], Gen.Float[-40, 40], (x, y, z) => new Vector3(x, y, z))));
 
     /// <summary>Ways to go at once, metres.</summary>
-    internal static Gen<Vector3> Ways { get; } = Gen.Select(Gen.Float[0, 20], Gen.Float[-180, 180], Gen.Float[-6, 6], (length, direction, z) =>
+    internal static Gen<Vector3> Ways { get; } =
+        Gen.Select(Gen.Float[0, 20], Gen.Float[-180, 180], Gen.Float[-6, 6], (length, direction, z) =>
         new Vector3(length * MathF.Cos(direction * MathF.PI / 180), length * MathF.Sin(direction * MathF.PI / 180), z));
 
     private static readonly Gen<Deed> AnyDeed = Gen.Select(
@@ -70,11 +75,14 @@ internal sealed record Trip(Traveller Who, int Place, Vector3 Offset, float Head
     internal static Gen<Trip> From(int[] places, int mostDeeds) => Gen.Select(
         Gen.Frequency((5, Gen.Const(Traveller.Player)), (5, Gen.Enum<Traveller>())),
         Gen.Int[0, places.Length - 1].Select(i => places[i]),
-        Gen.Select(Gen.Float[-6, 6], Gen.Float[-6, 6], Gen.Frequency((3, Gen.Const(0f)), (1, Gen.Float[0, 3])), (x, y, z) => new Vector3(x, y, z)),
+        Gen.Select(
+            Gen.Float[-6, 6], Gen.Float[-6, 6], Gen.Frequency((3, Gen.Const(0f)), (1, Gen.Float[0, 3])), (x, y, z) => new Vector3(x, y, z)),
         Gen.Float[0, 360], Gen.Select(Gen.Int[0, 800], Gen.Int[0, 800]), Gen.Frequency((5, Gen.Const(1)), (1, Gen.Int[2, 6])),
         AnyDeed.Array[1, mostDeeds],
-        (who, place, offset, heading, skills, frame, deeds) => new Trip(who, place, offset, heading, skills.Item1, skills.Item2, frame, deeds));
+        (who, place, offset, heading, skills, frame, deeds) =>
+            new Trip(who, place, offset, heading, skills.Item1, skills.Item2, frame, deeds));
 
     public override string ToString() =>
-        $"{Who} at {DemoPlaces.All[Place].Name} + {Offset} heading {Heading:R} run {RunSkill} jump {JumpSkill} frame {FrameTime}/30 s: {string.Join("; ", Deeds)}";
+        $"{Who} at {DemoPlaces.All[Place].Name} + {Offset} heading {Heading:R} run {RunSkill} jump {JumpSkill} " +
+        $"frame {FrameTime}/30 s: {string.Join("; ", Deeds)}";
 }

@@ -3,7 +3,9 @@ using CsCheck;
 
 namespace Surefoot.Dats.Tests;
 
-/// <summary>Files that are broken: reported, never another exception than <see cref="DatFormatException"/>, a hang or endless memory.</summary>
+/// <summary>
+/// Files that are broken: reported, never another exception than <see cref="DatFormatException"/>, a hang or endless memory.
+/// </summary>
 public sealed class DamagedFileTests
 {
     private const uint Slab = 0x01000010;
@@ -51,7 +53,8 @@ public sealed class DamagedFileTests
     [Fact]
     [Behaviour("dats.chain.loop", "spec/07, 4.1, 4.2, 5.4")]
     public void A_chain_that_comes_back_is_a_format_error()
-        => AssertRecordError(bytes => ReaderTests.Patch(bytes, First(bytes, 0x0D000001), (uint)First(bytes, 0x0D000001)), 0x0D000001, "comes back");
+        => AssertRecordError(
+            bytes => ReaderTests.Patch(bytes, First(bytes, 0x0D000001), (uint)First(bytes, 0x0D000001)), 0x0D000001, "comes back");
 
     [Fact]
     [Behaviour("dats.chain.outside", "spec/07, 4.1, 4.2, 5.4")]
@@ -157,7 +160,8 @@ public sealed class DamagedFileTests
     [Fact]
     [Behaviour("dats.file.one-byte", "design.md")]
     public void Any_wrong_byte_of_a_file_is_a_value_or_a_format_error()
-        => Gen.Select(RecordGen.Among(DatSet.PortalName, DatSet.CellName, DatSet.HighResName), Gen.Int[0, 0x8800], Gen.Byte, Gen.Bool).Sample(
+        => Gen.Select(RecordGen.Among(DatSet.PortalName, DatSet.CellName, DatSet.HighResName), Gen.Int[0, 0x8800], Gen.Byte,
+            Gen.Bool).Sample(
             (name, place, value, inHeader) =>
             {
                 byte[] bytes = Mini(name);

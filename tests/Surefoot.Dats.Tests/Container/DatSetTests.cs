@@ -53,7 +53,9 @@ public sealed class DatSetTests
     {
         using var folder = new TempFolder();
         new DatFileWriter(folder.File(DatSet.PortalName), DatFileKind.Portal).Add(new GfxObj { Id = 0x01000100 }).Complete();
-        new DatFileWriter(folder.File(DatSet.CellName), DatFileKind.Cell).Add(new EnvCell { Id = 0x01000100, CellId = 0x01000100 }).Complete();
+        new DatFileWriter(folder.File(DatSet.CellName), DatFileKind.Cell)
+            .Add(new EnvCell { Id = 0x01000100, CellId = 0x01000100 })
+            .Complete();
         using var set = DatSet.Open(folder.Path);
         Assert.Equal(0x01000100u, set.Read<GfxObj>(0x01000100).Id);
         Assert.Equal(0x01000100u, set.Read<EnvCell>(0x01000100).CellId);
@@ -68,7 +70,8 @@ public sealed class DatSetTests
         using var folder = new TempFolder();
         new DatFileWriter(folder.File(DatSet.PortalName), DatFileKind.Portal).Add(new Scene { Id = 0x12000001 }).Complete();
         new DatFileWriter(folder.File(DatSet.CellName), DatFileKind.Cell).Add(0x12000002, [1]).Complete();
-        new DatFileWriter(folder.File(DatSet.LocalName), DatFileKind.Local).Add(new Scene { Id = 0x12000003 }).Add(0x12000004, [1]).Complete();
+        new DatFileWriter(folder.File(DatSet.LocalName),
+            DatFileKind.Local).Add(new Scene { Id = 0x12000003 }).Add(0x12000004, [1]).Complete();
         using var set = DatSet.Open(folder.Path);
         Assert.Equal(0x12000001u, set.Read<Scene>(0x12000001).Id);
         Assert.Equal(0x12000003u, set.Read<Scene>(0x12000003).Id);
@@ -104,7 +107,9 @@ public sealed class DatSetTests
     [Fact]
     [Behaviour("dats.folder.file-instead", "design.md, decision 7")]
     public void A_file_instead_of_a_folder_is_said()
-        => Assert.Contains("is a file", Assert.Throws<DatFolderException>(() => DatSet.Open(Path.Combine(TestData.Mini, DatSet.PortalName))).Message, StringComparison.Ordinal);
+        => Assert.Contains(
+            "is a file", Assert.Throws<DatFolderException>(() => DatSet.Open(Path.Combine(TestData.Mini, DatSet.PortalName))).Message,
+            StringComparison.Ordinal);
 
     [Fact]
     [Behaviour("dats.folder.wrong-kind", "spec/07, 1.2")]

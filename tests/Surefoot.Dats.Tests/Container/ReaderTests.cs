@@ -26,11 +26,14 @@ public sealed class ReaderTests
         Assert.All(root.Children, child => Assert.Equal(52, cell.ReadNode(child).Entries.Count));
 
         static void AssertHeader(
-            DatFile file, DatFileKind kind, uint size, uint block, uint type, uint subset, int entries, uint root, uint firstFree, uint lastFree)
+            DatFile file, DatFileKind kind, uint size, uint block, uint type, uint subset, int entries, uint root, uint firstFree,
+            uint lastFree)
         {
             Assert.Equal(kind, file.Kind);
-            Assert.Equal((size, block, type, subset), (file.Header.FileSize, file.Header.BlockSize, file.Header.FileType, file.Header.Subset));
-            Assert.Equal((root, firstFree, lastFree, 60u), (file.Header.RootNode, file.Header.FirstFreeBlock, file.Header.LastFreeBlock, file.Header.FreeBlockCount));
+            Assert.Equal((size, block, type, subset),
+                (file.Header.FileSize, file.Header.BlockSize, file.Header.FileType, file.Header.Subset));
+            Assert.Equal((root, firstFree, lastFree, 60u),
+                (file.Header.RootNode, file.Header.FirstFreeBlock, file.Header.LastFreeBlock, file.Header.FreeBlockCount));
             Assert.Equal(entries, file.Ids.Count);
             Assert.Empty(file.Damage);
             Assert.Empty(file.Remarks);
@@ -120,7 +123,8 @@ public sealed class ReaderTests
         Assert.True(entry.IsCompressed);
         Assert.Equal(33u, entry.Size);
         Assert.Equal(
-            "2000000078DA6362606063000226206604E25420660109007940" + "3E0B0007E0007B", Convert.ToHexString(file.ReadStored(entry).ToArray()));
+            "2000000078DA6362606063000226206604E25420660109007940" + "3E0B0007E0007B",
+            Convert.ToHexString(file.ReadStored(entry).ToArray()));
         Assert.True(file.TryRead(0x06000002, out ReadOnlySequence<byte> bytes));
         Assert.Equal(TestData.SampleBytes("rendersurface-06000002"), bytes.ToArray());
     }
@@ -157,7 +161,8 @@ public sealed class ReaderTests
         string path = folder.File("x.dat");
         byte[] noise = new byte[100], plain = new byte[100];
         Random.Shared.NextBytes(noise);
-        new DatFileWriter(path, DatFileKind.HighRes).Add(1, noise, compress: true).Add(2, plain, compress: true).Add(3, plain).Add(4, new byte[16], compress: true).Complete();
+        new DatFileWriter(path, DatFileKind.HighRes).Add(1, noise, compress: true).Add(2, plain, compress: true).Add(3, plain).Add(4,
+            new byte[16], compress: true).Complete();
         using var file = DatFile.Open(path);
         Assert.Equal([false, true, false, false, false], file.Entries.Select(e => e.IsCompressed));
         Assert.True(file.TryRead(2, out ReadOnlySequence<byte> bytes));
@@ -274,7 +279,8 @@ public sealed class ReaderTests
         Assert.Null(none);
     }
 
-    internal static void Patch(byte[] bytes, int offset, uint value) => BinaryPrimitives.WriteUInt32LittleEndian(bytes.AsSpan(offset), value);
+    internal static void Patch(byte[] bytes, int offset, uint value) =>
+        BinaryPrimitives.WriteUInt32LittleEndian(bytes.AsSpan(offset), value);
 
     // Where the entry of an id lies: 4 bytes before the first occurrence of the id behind version 2.
     internal static int EntryOffset(byte[] bytes, uint id)

@@ -146,7 +146,8 @@ public sealed class WriterTests
         using var file = DatFile.Open(path);
         DatHeader header = file.Header;
         Assert.Equal((1024u, 65536u, 3u, 1u), (header.BlockSize, header.FileSize, header.FileType, header.Subset));
-        Assert.Equal((0x1000u, 0xFC00u, 60u, 0x800u), (header.FirstFreeBlock, header.LastFreeBlock, header.FreeBlockCount, header.RootNode));
+        Assert.Equal((0x1000u, 0xFC00u, 60u, 0x800u),
+            (header.FirstFreeBlock, header.LastFreeBlock, header.FreeBlockCount, header.RootNode));
         Assert.Equal((110u, 0u, 1u), (header.EngineVersion, header.GameVersion, header.MinorVersion));
         Assert.Equal([new DatEntry(0, 1, 0xFFFF0001, 0x400, 12, 0, 0)], file.Entries);
         Assert.Equal([-1, 1], ((IterationRecord)DatRecords.Decode(file, DatIds.Iteration)).Words);

@@ -5,7 +5,9 @@ using Surefoot.Dats.Records;
 
 namespace Surefoot.Dats.Tests;
 
-/// <summary>Whatever the bytes: a value or a <see cref="DatFormatException"/> that names file, record and offset; in bounded memory.</summary>
+/// <summary>
+/// Whatever the bytes: a value or a <see cref="DatFormatException"/> that names file, record and offset; in bounded memory.
+/// </summary>
 public sealed class BadBytesTests
 {
     private const string FileName = "some.dat";
@@ -15,7 +17,10 @@ public sealed class BadBytesTests
 
     public static TheoryData<string> Samples { get; } =
     [
-        .. Directory.GetFiles(TestData.Samples, "*.bin").Select(path => Path.GetFileNameWithoutExtension(path)!).Where(name => TypeOf(name) is not null).Order(StringComparer.Ordinal),
+        .. Directory.GetFiles(TestData.Samples, "*.bin")
+            .Select(path => Path.GetFileNameWithoutExtension(path)!)
+            .Where(name => TypeOf(name) is not null)
+            .Order(StringComparer.Ordinal),
     ];
 
     [Theory]
@@ -111,7 +116,12 @@ public sealed class BadBytesTests
         const int depth = 100_000;
         var nodes = new BspNode[depth + 1];
         for (int i = 0; i < depth; i++)
-            nodes[i] = new BspNode { Tag = i % 2 == 0 ? BspTag.BPnn : BspTag.BpnN, Positive = i % 2 == 0 ? i + 1 : -1, Negative = i % 2 == 0 ? -1 : i + 1 };
+            nodes[i] = new BspNode
+            {
+                Tag = i % 2 == 0 ? BspTag.BPnn : BspTag.BpnN,
+                Positive = i % 2 == 0 ? i + 1 : -1,
+                Negative = i % 2 == 0 ? -1 : i + 1,
+            };
         nodes[depth] = new BspNode();
         var shape = new GfxObj { Id = 0x01000001, Flags = GfxObjFlags.HasDrawing, DrawingTree = new() { Nodes = [.. nodes] } };
 
@@ -120,7 +130,8 @@ public sealed class BadBytesTests
 
         Assert.Equal(nodes.Length, back.DrawingTree!.Nodes.Length);
         Assert.Equal(bytes, back.Encode());
-        Assert.Throws<DatFormatException>(() => DatRecord.Decode<GfxObj>(shape.Id, new ReadOnlySequence<byte>(bytes.AsMemory(0, bytes.Length / 2))));
+        Assert.Throws<DatFormatException>(
+            () => DatRecord.Decode<GfxObj>(shape.Id, new ReadOnlySequence<byte>(bytes.AsMemory(0, bytes.Length / 2))));
     }
 
     private static DatRecordType? TypeOf(string sample)

@@ -170,7 +170,8 @@ public sealed class GeometrySampleTests
     [InlineData(0, 20, 12, 10, 2f, 2f, 3.92f, 0f)]
     [InlineData(1, 14, 9, 8, -2f, 6f, 3.92f, 4f)]
     [Behaviour("dats.sample.environment-rooms", "data/dat-samples/README.md; spec/07, section 7")]
-    public void Environment_of_two_rooms(int index, int vertices, int polygons, int walls, float south, float north, float radius, float centreY)
+    public void Environment_of_two_rooms(
+        int index, int vertices, int polygons, int walls, float south, float north, float radius, float centreY)
     {
         CellStruct cell = TestData.Sample<CellEnvironment>("environment-0D000001").Cells[index];
 
@@ -179,7 +180,9 @@ public sealed class GeometrySampleTests
         Assert.Equal(polygons, cell.Polygons.Length);
         Assert.Equal(walls, cell.PhysicsPolygons.Length);
         Assert.Equal(Enumerable.Range(walls, polygons - walls), cell.PortalPolygons.Select(p => (int)p));
-        Assert.All(cell.PortalPolygons, p => Assert.Equal(((DatStippling)0x14, (short)-1), (cell.Polygons[p].Stippling, cell.Polygons[p].PositiveSurface)));
+        Assert.All(
+            cell.PortalPolygons,
+            p => Assert.Equal(((DatStippling)0x14, (short)-1), (cell.Polygons[p].Stippling, cell.Polygons[p].PositiveSurface)));
 
         Plane[] planes = [new(1, 0, 0, 3), new(-1, 0, 0, 3), new(0, 1, 0, south), new(0, -1, 0, north), new(0, 0, 1, 0), new(0, 0, -1, 3)];
         var cellNodes = cell.CellTree.Nodes;
@@ -209,7 +212,8 @@ public sealed class GeometrySampleTests
         AssertLeaf(drawing[1], 0, 0, default);
     }
 
-    private static void AssertNode(BspNode node, BspTag tag, Plane plane, DatSphere sphere, int positive, int negative, params short[] polygons)
+    private static void AssertNode(
+        BspNode node, BspTag tag, Plane plane, DatSphere sphere, int positive, int negative, params short[] polygons)
     {
         Assert.Equal(tag, node.Tag);
         Assert.Equal(plane, node.Plane);

@@ -53,7 +53,8 @@ public sealed class ObjectSampleTests
         Assert.Equal(new DatSphere(new(0, 0, 0.9f), 1.1f), setup.SortingSphere);
         Assert.Equal(new DatSphere(new(0, 0, 0.9f), 0.9f), setup.SelectionSphere);
         Assert.Equal([new SetupLight(0, new(new(0, 0, 1.5f), Quaternion.Identity), new(3, 2, 1, 4), 0.5f, 6, 0)], setup.Lights);
-        Assert.Equal((0x03000001u, 0x33000001u, 0x09000001u), (setup.DefaultAnimationId, setup.DefaultScriptId, setup.DefaultMotionTableId));
+        Assert.Equal((0x03000001u, 0x33000001u, 0x09000001u),
+            (setup.DefaultAnimationId, setup.DefaultScriptId, setup.DefaultMotionTableId));
         Assert.Equal((0x20000001u, 0x34000001u), (setup.DefaultSoundTableId, setup.DefaultScriptTableId));
     }
 
@@ -177,7 +178,8 @@ public sealed class ObjectSampleTests
         Assert.Equal([0x45000005u, 0x44000007u], links.Targets.Select(t => t.Key));
         AssertMotion(links.Targets[0].Data, 0, Vector3.Zero, Vector3.Zero, play);
         AssertMotion(
-            links.Targets[1].Data, 3, new(0, 1, 0), new(0, 0, 1), new MotionAnimation(0x03000001, 0, 0, 30), new MotionAnimation(0x03000002, 0, -1, -15));
+            links.Targets[1].Data, 3, new(0, 1, 0), new(0, 0, 1), new MotionAnimation(0x03000001, 0, 0, 30),
+            new MotionAnimation(0x03000002, 0, -1, -15));
     }
 
     private static void AssertMotion(MotionData data, byte bitfield, Vector3 velocity, Vector3 omega, params MotionAnimation[] animations)

@@ -122,7 +122,8 @@ public sealed class PrimitiveTests
         var writer = new DatWriter();
         for (int i = 0; i < 7; i++)
             writer.WriteSingle(i == index ? float.NaN : 0.5f);
-        var error = Assert.Throws<DatFormatException>(() => new DatReader(new ReadOnlySequence<byte>(writer.ToArray()), 0x02000001, "x.dat").ReadFrame());
+        var error = Assert.Throws<DatFormatException>(
+            () => new DatReader(new ReadOnlySequence<byte>(writer.ToArray()), 0x02000001, "x.dat").ReadFrame());
         Assert.Equal(("x.dat", 0x02000001u, 0L), (error.File, error.RecordId, error.Offset));
     }
 

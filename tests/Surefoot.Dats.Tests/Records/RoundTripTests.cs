@@ -40,7 +40,8 @@ public sealed class RoundTripTests
         Assert.Equal(32, aligned.Encode().Length);
         foreach (byte[] rest in new byte[][] { [0, 0, 0, 0], [1], [0, 0, 5] })
         {
-            var error = Assert.Throws<DatFormatException>(() => DatRecord.Decode<GfxObj>(0x01000011, new ReadOnlySequence<byte>([.. bytes, .. rest])));
+            var error = Assert.Throws<DatFormatException>(
+                () => DatRecord.Decode<GfxObj>(0x01000011, new ReadOnlySequence<byte>([.. bytes, .. rest])));
             Assert.Equal(29, error.Offset);
         }
     }
@@ -86,7 +87,8 @@ public sealed class RoundTripTests
     {
         byte[] bytes = TestData.SampleBytes("animation-03000003");
         bytes[0x30] = 0x1B;
-        var error = Assert.Throws<DatFormatException>(() => DatRecord.Decode<Animation>(0x03000003, new ReadOnlySequence<byte>(bytes), "x"));
+        var error =
+            Assert.Throws<DatFormatException>(() => DatRecord.Decode<Animation>(0x03000003, new ReadOnlySequence<byte>(bytes), "x"));
         Assert.Equal((0x03000003u, 0x30L), (error.RecordId, error.Offset));
         Assert.Contains("0x1B", error.Message, StringComparison.Ordinal);
     }
@@ -97,7 +99,12 @@ public sealed class RoundTripTests
         new GfxObj { Id = 0x01000001, Flags = GfxObjFlags.HasPhysics },
         new GfxObj { Id = 0x01000001, PhysicsPolygons = [new DatPolygon()] },
         new GfxObj { Id = 0x01000001, Flags = GfxObjFlags.HasPhysics, PhysicsTree = new() { Nodes = [] } },
-        new GfxObj { Id = 0x01000001, Flags = GfxObjFlags.HasPhysics, PhysicsTree = new() { Nodes = [new() { Tag = BspTag.BPnn, Positive = 0 }] } },
+        new GfxObj
+        {
+            Id = 0x01000001,
+            Flags = GfxObjFlags.HasPhysics,
+            PhysicsTree = new() { Nodes = [new() { Tag = BspTag.BPnn, Positive = 0 }] },
+        },
         new GfxObj { Id = 0x01000001, Flags = GfxObjFlags.HasPhysics, PhysicsTree = new() { Nodes = [new() { Tag = BspTag.BPnn }] } },
         new Setup { Id = 0x02000001, ParentParts = [1] },
         new Setup { Id = 0x02000001, PlacementFrames = [new(0, new([DatFrame.Identity]))] },

@@ -37,7 +37,8 @@ public sealed class WorldSampleTests
         Building building = Assert.Single(info.Buildings);
         Assert.Equal((0x01000003u, 5u), (building.ModelId, building.LeafCount));
         Assert.Equal(new DatFrame(new(96, 96, 24), QuarterTurn), building.Frame);
-        Assert.Equal((PortalFlags.ExactMatch, (ushort)0x100, (ushort)0), (building.Portals[0].Flags, building.Portals[0].OtherCell, building.Portals[0].OtherPortal));
+        Assert.Equal((PortalFlags.ExactMatch, (ushort)0x100, (ushort)0),
+            (building.Portals[0].Flags, building.Portals[0].OtherCell, building.Portals[0].OtherPortal));
         Assert.Equal([0x100, 0x101, 0x102], building.Portals[0].StabCells.Select(c => (int)c));
         Assert.Equal(PortalFlags.ExactMatch | PortalFlags.NormalPointsIn, building.Portals[1].Flags);
         Assert.Equal(((ushort)0x102, (ushort)0), (building.Portals[1].OtherCell, building.Portals[1].OtherPortal));
@@ -148,7 +149,8 @@ public sealed class WorldSampleTests
         Assert.Equal([new SkyObject(0, 1, 90, 180, 0.25f, 0, 0x01001348, 0, 0)], day.Objects);
         SkyTime time = Assert.Single(day.Times);
         Assert.Equal((0f, 0.5f, 0f, 90f), (time.Begin, time.DirectionalBrightness, time.Heading, time.Pitch));
-        Assert.Equal((new DatColor(0x80, 0x80, 0x80, 0xFF), 0.25f, new DatColor(0x40, 0x40, 0x40, 0xFF)), (time.DirectionalColor, time.AmbientBrightness, time.AmbientColor));
+        Assert.Equal((new DatColor(0x80, 0x80, 0x80, 0xFF), 0.25f, new DatColor(0x40, 0x40, 0x40, 0xFF)),
+            (time.DirectionalColor, time.AmbientBrightness, time.AmbientColor));
         Assert.Equal((100f, 1000f, new DatColor(0xFF, 0xFF, 0xFF, 0xFF), 1u), (time.MinFog, time.MaxFog, time.FogColor, time.FogMode));
         Assert.Equal([new SkyObjectReplacement(0, 0x01001F6A, 45, 0, 1, 1)], time.Replacements);
 
@@ -186,6 +188,7 @@ public sealed class WorldSampleTests
         Assert.Equal((1u, 3u, "Dereth"), (region.Number, region.Version, region.Name));
         Assert.Equal(new RegionLand(255, 255, 24, 8, 1, 200, 1000, 5), region.Land);
         Assert.Equal(Enumerable.Range(0, 256).Select(i => 2f * i), region.HeightTable);
-        Assert.Equal((0d, 10u, 7620f, 360u, "P.Y."), (region.Time.ZeroTimeOfYear, region.Time.ZeroYear, region.Time.DayLength, region.Time.DaysPerYear, region.Time.YearName));
+        Assert.Equal((0d, 10u, 7620f, 360u, "P.Y."),
+            (region.Time.ZeroTimeOfYear, region.Time.ZeroYear, region.Time.DayLength, region.Time.DaysPerYear, region.Time.YearName));
     }
 }

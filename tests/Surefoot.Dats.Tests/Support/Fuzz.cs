@@ -6,7 +6,8 @@ namespace Surefoot.Dats.Tests;
 internal static class Fuzz
 {
     public static int Factor { get; } =
-        int.TryParse(Environment.GetEnvironmentVariable("SUREFOOT_FUZZ"), CultureInfo.InvariantCulture, out int factor) && factor > 0 ? factor : 1;
+        int.TryParse(Environment.GetEnvironmentVariable("SUREFOOT_FUZZ"), CultureInfo.InvariantCulture, out int factor) &&
+        factor > 0 ? factor : 1;
 
     public static int Cases(int count) => count * Factor;
 }

@@ -29,10 +29,12 @@ internal static class RecordGen
 
     private static readonly Gen<Plane> AnyPlane = Gen.Select(Point, Number, (normal, d) => new Plane(normal, d));
 
-    private static readonly Gen<DatColor> Color = Gen.Select(Gen.Byte, Gen.Byte, Gen.Byte, Gen.Byte, (r, g, b, a) => new DatColor(r, g, b, a));
+    private static readonly Gen<DatColor> Color = Gen.Select(
+        Gen.Byte, Gen.Byte, Gen.Byte, Gen.Byte, (r, g, b, a) => new DatColor(r, g, b, a));
 
     // Lengths 0 to 9 meet every alignment.
-    private static readonly Gen<string> Text = Gen.Char["abc XYZ\0\u00E9\u20AC\u0081"].Array[0, 9].Select(characters => new string(characters));
+    private static readonly Gen<string> Text = Gen.Char["abc XYZ\0\u00E9\u20AC\u0081"].Array[0, 9].Select(
+        characters => new string(characters));
 
     public static Gen<DatRecord> Any { get; } = Gen.OneOf<DatRecord>(
         GfxObj().AsRecord(),
@@ -71,7 +73,8 @@ internal static class RecordGen
         => present ? element.List(count, count) : Gen.Const(ImmutableArray<T>.Empty);
 
     private static Gen<DatVertex> Vertex() => Gen.Select(
-        Gen.UShort, Point, Point, Gen.Select(Number, Number, (u, v) => new DatUV(u, v)).List(), (key, position, normal, uvs) => new DatVertex(key, position, normal, uvs));
+        Gen.UShort, Point, Point, Gen.Select(Number, Number, (u, v) => new DatUV(u, v)).List(),
+        (key, position, normal, uvs) => new DatVertex(key, position, normal, uvs));
 
     private static Gen<DatVertexArray> Vertices() => Vertex().List().Select(vertices => new DatVertexArray(vertices));
 
@@ -99,7 +102,9 @@ internal static class RecordGen
         from tags in Gen.OneOf(
             Among(Enum.GetValues<BspTag>()), Gen.UInt.Select(tag => (BspTag)tag)).Array[0, 12]
         from leaves in Gen.Select(Gen.Int, Gen.Int, Sphere, Gen.Short.List()).Array[tags.Length + 1]
-        from inner in Gen.Select(AnyPlane, Sphere, Gen.Short.List(), Gen.Select(Gen.Short, Gen.UShort, (p, i) => new BspPortal(p, i)).List()).Array[tags.Length + 1]
+        from inner in Gen.Select(
+            AnyPlane, Sphere, Gen.Short.List(),
+            Gen.Select(Gen.Short, Gen.UShort, (p, i) => new BspPortal(p, i)).List()).Array[tags.Length + 1]
         select Build(kind, tags, leaves, inner);
 
     private static BspTree Build(
@@ -180,7 +185,8 @@ internal static class RecordGen
                 7 => new SetLightHook((int)choice.Item2),
                 _ => new CallScriptHook(choice.Item2, 1.5f),
             }),
-            Gen.Select(Gen.Byte, Gen.OneOf(Gen.UInt[0, 0x8000], Gen.UInt[0, 0x3FFFFFFF])).Select(AnimationHook (p) => new ReplaceObjectHook(p.Item1, 0x01000000 + p.Item2)),
+            Gen.Select(Gen.Byte, Gen.OneOf(Gen.UInt[0, 0x8000], Gen.UInt[0, 0x3FFFFFFF]))
+                .Select(AnimationHook (p) => new ReplaceObjectHook(p.Item1, 0x01000000 + p.Item2)),
             Gen.Select(Gen.Int[0, 11], Gen.UInt, Number, Number, Number).Select(AnimationHook (v) => v.Item1 switch
             {
                 0 => new AttackHook(v.Item2, v.Item3, v.Item4, v.Item5, 1, 2, 3),
@@ -202,9 +208,11 @@ internal static class RecordGen
         Gen.Int,
         (hook, direction) => hook with { Direction = direction });
 
-    private static Gen<AnimFrame> AnimFrame(int parts) => Gen.Select(Frame.List(parts, parts), Hook().List(), (p, hooks) => new AnimFrame(p, hooks));
+    private static Gen<AnimFrame> AnimFrame(int parts) =>
+        Gen.Select(Frame.List(parts, parts), Hook().List(), (p, hooks) => new AnimFrame(p, hooks));
 
-    private static Gen<SetupLocation> Location() => Gen.Select(Gen.UInt, Gen.UInt, Frame, (location, part, frame) => new SetupLocation(location, part, frame));
+    private static Gen<SetupLocation> Location() =>
+        Gen.Select(Gen.UInt, Gen.UInt, Frame, (location, part, frame) => new SetupLocation(location, part, frame));
 
     private static Gen<Setup> Setup() =>
         from parts in Gen.Int[0, 3]
@@ -217,9 +225,11 @@ internal static class RecordGen
             Location().List(),
             Gen.Select(Gen.UInt, AnimFrame(parts), (placement, frame) => new PlacementFrame(placement, frame)).List())
         from shapes in Gen.Select(
-            Gen.Select(Point, Number, Number, (low, radius, height) => new DatCylSphere(low, radius, height)).List(), Sphere.List(), Sphere, Sphere)
+            Gen.Select(Point, Number, Number, (low, radius, height) => new DatCylSphere(low, radius, height)).List(), Sphere.List(), Sphere,
+            Sphere)
         from numbers in Number.Array[4]
-        from lights in Gen.Select(Gen.UInt, Frame, Color, Number, Number, Number, (t, f, c, i, o, a) => new SetupLight(t, f, c, i, o, a)).List()
+        from lights in Gen.Select(Gen.UInt, Frame, Color, Number, Number, Number, (t, f, c, i, o, a) => new SetupLight(t, f, c, i, o, a))
+            .List()
         from ids in Gen.UInt.Array[5]
         from id in Id(0x02000000)
         select new Setup
@@ -259,7 +269,8 @@ internal static class RecordGen
     private static Gen<MotionData> Motion() =>
         from flags in Gen.Byte
         from head in Gen.Select(
-            Gen.Byte, Gen.Select(Gen.UInt, Gen.Int, Gen.Int, Number, (id, low, high, rate) => new MotionAnimation(id, low, high, rate)).List())
+            Gen.Byte,
+            Gen.Select(Gen.UInt, Gen.Int, Gen.Int, Number, (id, low, high, rate) => new MotionAnimation(id, low, high, rate)).List())
         from velocity in Point
         from omega in Point
         select new MotionData
@@ -317,7 +328,9 @@ internal static class RecordGen
         from flags in Gen.UInt[0, 15]
         from lists in Gen.Select(
             Id(0x08000000).List(),
-            Gen.Select(Gen.UShort, Gen.UShort, Gen.UShort, Gen.UShort, (f, polygon, cell, portal) => new CellPortal((PortalFlags)f, polygon, cell, portal)).List(),
+            Gen.Select(
+                Gen.UShort, Gen.UShort, Gen.UShort, Gen.UShort,
+                (f, polygon, cell, portal) => new CellPortal((PortalFlags)f, polygon, cell, portal)).List(),
             Gen.UShort.List(),
             Static().List())
         from rest in Gen.Select(Gen.UInt, Id(0x0D000000), Gen.UShort, Frame, Gen.UInt)
@@ -341,7 +354,8 @@ internal static class RecordGen
         Gen.UInt,
         Gen.UShort.List(81, 81),
         Gen.Byte.List(81, 81),
-        (block, info, terrain, heights) => new LandBlock { Id = (block << 16) | 0xFFFF, InfoFlag = info, Terrain = terrain, Heights = heights });
+        (block, info, terrain, heights) =>
+            new LandBlock { Id = (block << 16) | 0xFFFF, InfoFlag = info, Terrain = terrain, Heights = heights });
 
     private static Gen<LandBlockInfo> LandBlockInfo() =>
         from flags in Gen.UShort
@@ -352,9 +366,12 @@ internal static class RecordGen
             Gen.UInt,
             Frame,
             Gen.UInt,
-            Gen.Select(Gen.UShort, Gen.UShort, Gen.UShort, Gen.UShort.List(), (f, cell, portal, stabs) => new BuildingPortal((PortalFlags)f, cell, portal, stabs)).List(),
+            Gen.Select(
+                Gen.UShort, Gen.UShort, Gen.UShort, Gen.UShort.List(),
+                (f, cell, portal, stabs) => new BuildingPortal((PortalFlags)f, cell, portal, stabs)).List(),
             (model, frame, leaves, portals) => new Building(model, frame, leaves, portals)).List()
-        from table in Gen.Select(Gen.UShort[1, 255], Gen.Select(Gen.UInt, Gen.UInt, (cell, thing) => new CellRestriction(cell, thing)).List())
+        from table in Gen.Select(
+            Gen.UShort[1, 255], Gen.Select(Gen.UInt, Gen.UInt, (cell, thing) => new CellRestriction(cell, thing)).List())
         let restricted = (flags & 1) != 0
         select new LandBlockInfo
         {

@@ -14,7 +14,8 @@ internal static class RegionGen
         from sky in Sky()
         from sounds in Sounds().List()
         from scenes in Gen.Select(Gen.UInt, Gen.UInt.List(), (sound, ids) => new SceneType(sound, ids)).List()
-        from terrain in Gen.Select(RecordGen.Texts, RecordGen.Colors, Gen.UInt.List(), (name, color, types) => new TerrainType(name, color, types)).List()
+        from terrain in Gen.Select(
+            RecordGen.Texts, RecordGen.Colors, Gen.UInt.List(), (name, color, types) => new TerrainType(name, color, types)).List()
         from surface in Surface()
         from misc in Gen.UInt.Array[6]
         let flags = (RegionParts)parts
@@ -41,7 +42,8 @@ internal static class RegionGen
 
     private static Gen<GameTime> Time() =>
         from numbers in Gen.Select(RecordGen.Doubles, Gen.UInt, RecordGen.Numbers, Gen.UInt, RecordGen.Texts)
-        from times in Gen.Select(RecordGen.Numbers, Gen.UInt, RecordGen.Texts, (start, night, name) => new TimeOfDay(start, night, name)).List()
+        from times in Gen.Select(RecordGen.Numbers, Gen.UInt, RecordGen.Texts, (start, night, name) => new TimeOfDay(start, night, name))
+            .List()
         from days in RecordGen.Texts.List()
         from seasons in Gen.Select(Gen.UInt, RecordGen.Texts, (day, name) => new Season(day, name)).List()
         select new GameTime
@@ -66,7 +68,8 @@ internal static class RegionGen
             (f, u) => new SkyObject(f[0], f[1], f[2], f[3], f[4], f[5], u[0], hasScripts ? u[1] : 0, u[2]));
         var replacements = Gen.Select(
             Gen.UInt.Array[2], RecordGen.Numbers.Array[4], (u, f) => new SkyObjectReplacement(u[0], u[1], f[0], f[1], f[2], f[3]));
-        var times = Gen.Select(RecordGen.Numbers.Array[7], RecordGen.Colors.Array[3], Gen.UInt, replacements.List(), (f, c, mode, list) => new SkyTime
+        var skies = Gen.Select(RecordGen.Numbers.Array[7], RecordGen.Colors.Array[3], Gen.UInt, replacements.List());
+        var times = skies.Select((f, c, mode, list) => new SkyTime
         {
             Begin = f[0],
             DirectionalBrightness = f[1],
@@ -82,8 +85,10 @@ internal static class RegionGen
             Replacements = list,
         });
         var groups = Gen.Select(
-            RecordGen.Numbers, RecordGen.Texts, things.List(), times.List(), (chance, name, objects, list) => new DayGroup(chance, name, objects, list));
-        return Gen.Select(RecordGen.Doubles, RecordGen.Doubles, groups.List(0, 2), (tick, light, list) => new SkyDescription(tick, light, list)
+            RecordGen.Numbers, RecordGen.Texts, things.List(), times.List(),
+            (chance, name, objects, list) => new DayGroup(chance, name, objects, list));
+        var parts = Gen.Select(RecordGen.Doubles, RecordGen.Doubles, groups.List(0, 2));
+        return parts.Select((tick, light, list) => new SkyDescription(tick, light, list)
         {
             HasScripts = hasScripts || list.All(group => group.Objects.IsEmpty),
         });

@@ -8,7 +8,8 @@ namespace Surefoot.Physics.Tests.Assets;
 public class CellTreeTests
 {
     private static readonly CellBsp Room = new(
-        new Plane(1, 0, 0, 0), new Plane(-1, 0, 0, 10), new Plane(0, 1, 0, 0), new Plane(0, -1, 0, 10), new Plane(0, 0, 1, 0), new Plane(0, 0, -1, 4));
+        new Plane(1, 0, 0, 0), new Plane(-1, 0, 0, 10), new Plane(0, 1, 0, 0), new Plane(0, -1, 0, 10), new Plane(0, 0, 1, 0),
+        new Plane(0, 0, -1, 4));
 
     [Theory, Behaviour("cell.contains.point", "spec/04, 6.14, BSPNODE::point_inside_cell_bsp @0x0053C1F0")]
     [InlineData(5, 5, 2, true)]
@@ -19,7 +20,9 @@ public class CellTreeTests
     public void A_point_within_the_tolerance_behind_a_wall_is_inside(float x, float y, float z, bool inside) =>
         Assert.Equal(inside, Room.PointInside(new(x, y, z)));
 
-    [Theory, Behaviour("cell.contains.nan", "spec/04, 1.2 and 4.2: no comparison with NaN holds, so a NaN distance is neither in front nor in the plane")]
+    [Theory]
+    [Behaviour("cell.contains.nan",
+        "spec/04, 1.2 and 4.2: no comparison with NaN holds, so a NaN distance is neither in front nor in the plane")]
     [InlineData(float.NaN, 5, 2)]
     [InlineData(5, float.NaN, 2)]
     [InlineData(5, 5, float.NaN)]

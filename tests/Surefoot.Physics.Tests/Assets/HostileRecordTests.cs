@@ -63,9 +63,18 @@ public class HostileRecordTests
         CellEnvironment record = new()
         {
             Id = 0x0D000005,
-            Cells = [new CellStruct { CellTree = BspTree.OfLeaf(new BspNode()), PhysicsTree = BspTree.OfLeaf(new BspNode()), PortalPolygons = [0] }],
+            Cells =
+            [
+                new CellStruct
+                {
+                    CellTree = BspTree.OfLeaf(new BspNode()),
+                    PhysicsTree = BspTree.OfLeaf(new BspNode()),
+                    PortalPolygons = [0],
+                },
+            ],
         };
-        DatFormatException e = Assert.Throws<DatFormatException>(() => new PhysicsDataCache(new MemorySource().Add(record)).GetEnvironment(record.Id));
+        DatFormatException e =
+            Assert.Throws<DatFormatException>(() => new PhysicsDataCache(new MemorySource().Add(record)).GetEnvironment(record.Id));
         Assert.Equal(record.Id, e.RecordId);
         Assert.Contains("polygon 0 of 0", e.Message);
     }
@@ -93,7 +102,8 @@ public class HostileRecordTests
     [InlineData(true, true)]
     public void A_line_of_ten_thousand_nodes_loads_and_answers(bool downFront, bool polygonsBeside)
     {
-        PhysicsBsp tree = new PhysicsDataCache(new MemorySource().Add(Records.Line(10_000, downFront, polygonsBeside))).GetGfxObj(0x01000020).Physics!;
+        PhysicsBsp tree = new PhysicsDataCache(new MemorySource().Add(Records.Line(10_000, downFront, polygonsBeside)))
+            .GetGfxObj(0x01000020).Physics!;
         Assert.Equal(10_000, tree.NodeCount);
         // The widest sphere straddles every plane of the line.
         Sphere huge = new(Vector3.Zero, 500), small = Records.Near(0.2f);

@@ -12,23 +12,24 @@ internal static class Records
 
     /// <summary>A square 2 × 2 at z = 0, walkable from above, solid below.</summary>
     internal static GfxObj Slab(
-        uint id = SlabId, ImmutableArray<short>? leaf = null, ImmutableArray<ushort>? corners = null, Vector3? firstVertex = null, uint degrade = 0) => new()
-        {
-            Id = id,
-            Flags = GfxObjFlags.HasPhysics | (degrade == 0 ? 0 : GfxObjFlags.HasDegrade),
-            DegradeId = degrade,
-            Vertices = Vertices(firstVertex ?? new(-1, -1, 0), new(1, -1, 0), new(1, 1, 0), new(-1, 1, 0)),
-            PhysicsPolygons = [new DatPolygon { Vertices = corners ?? [0, 1, 2, 3] }],
-            PhysicsTree = new BspTree
+        uint id = SlabId, ImmutableArray<short>? leaf = null, ImmutableArray<ushort>? corners = null, Vector3? firstVertex = null,
+            uint degrade = 0) => new()
             {
-                Nodes =
+                Id = id,
+                Flags = GfxObjFlags.HasPhysics | (degrade == 0 ? 0 : GfxObjFlags.HasDegrade),
+                DegradeId = degrade,
+                Vertices = Vertices(firstVertex ?? new(-1, -1, 0), new(1, -1, 0), new(1, 1, 0), new(-1, 1, 0)),
+                PhysicsPolygons = [new DatPolygon { Vertices = corners ?? [0, 1, 2, 3] }],
+                PhysicsTree = new BspTree
+                {
+                    Nodes =
             [
                 new BspNode { Tag = BspTag.BPnN, Plane = new(0, 0, 1, 0), Positive = 1, Negative = 2, Sphere = new(Vector3.Zero, 1.5f) },
                 new BspNode(),
                 new BspNode { Solid = 1, Sphere = new(Vector3.Zero, 1.5f), Polygons = leaf ?? [0] },
             ],
-            },
-        };
+                },
+            };
 
     internal static DatVertexArray Vertices(params Vector3[] points) =>
         new([.. points.Select((p, i) => new DatVertex((ushort)i, p, Vector3.UnitZ))]);

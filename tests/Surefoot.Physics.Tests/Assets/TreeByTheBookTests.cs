@@ -9,7 +9,8 @@ using Surefoot.Physics.Transitions;
 namespace Surefoot.Physics.Tests.Assets;
 
 /// <summary>
-/// The questions about solid space, which answer oddly at straddled planes, against the specification's recursion written down word for word (04, 4.5 and 4.6).
+/// The questions about solid space, which answer oddly at straddled planes, against the specification's recursion written down word for
+/// word (04, 4.5 and 4.6).
 /// </summary>
 public class TreeByTheBookTests
 {
@@ -18,7 +19,8 @@ public class TreeByTheBookTests
     private static readonly Gen<Sphere> Probe = Gen.Select(Point, Gen.Float[0.05f, 0.8f], (p, r) => new Sphere(p * 1.5f, r));
 
     private static readonly Gen<(PhysicsBsp Flat, Book Book)> Tree = Gen.Select(
-        Gen.Select(Point, Point, Point, (a, b, c) => (Vector3[])[a, b, c]).Where(t => Vector3.Cross(t[1] - t[0], t[2] - t[0]).Length() > 0.1f).Array[1, 8],
+        Gen.Select(Point, Point, Point, (a, b, c) => (Vector3[])[a, b, c])
+            .Where(t => Vector3.Cross(t[1] - t[0], t[2] - t[0]).Length() > 0.1f).Array[1, 8],
         Gen.Int[0, int.MaxValue],
         Grow);
 
@@ -33,7 +35,8 @@ public class TreeByTheBookTests
         // Any shape will do: empty leaves, bounds that cut, solid flags anywhere.
         Book Any(int depth, out int reference)
         {
-            Sphere bounds = new(new(random.NextSingle() - 0.5f, random.NextSingle() - 0.5f, random.NextSingle() - 0.5f), 0.7f + random.NextSingle());
+            Sphere bounds = new(new(random.NextSingle() - 0.5f, random.NextSingle() - 0.5f, random.NextSingle() - 0.5f),
+                0.7f + random.NextSingle());
             if (depth > 5 || random.Next(4) == 0)
             {
                 int[] members = [.. Enumerable.Range(0, triangles.Length).Where(_ => random.Next(3) == 0)];

@@ -4,7 +4,9 @@ using Surefoot.Physics.Geometry;
 
 namespace Surefoot.Physics.Tests.Assets;
 
-/// <summary>The trees of the worked examples, built as specification 04, 6.7, describes: a chain of outward planes, solid behind the last.</summary>
+/// <summary>
+/// The trees of the worked examples, built as specification 04, 6.7, describes: a chain of outward planes, solid behind the last.
+/// </summary>
 internal static class Trees
 {
     internal enum Face
@@ -19,14 +21,16 @@ internal static class Trees
 
     /// <summary>The unit cube of 6.7.</summary>
     internal static PhysicsBsp UnitCube() => Box(
-        new(-0.5f), new(0.5f), new Sphere(Vector3.Zero, 0.8660254f), Face.PlusX, Face.MinusX, Face.PlusY, Face.MinusY, Face.PlusZ, Face.MinusZ);
+        new(-0.5f), new(0.5f), new Sphere(Vector3.Zero, 0.8660254f), Face.PlusX, Face.MinusX, Face.PlusY, Face.MinusY, Face.PlusZ,
+        Face.MinusZ);
 
     /// <summary>A box as in 6.16: planes and polygons in the order top, bottom, +x, −x, +y, −y.</summary>
     internal static PhysicsBsp Box(Vector3 min, Vector3 max)
     {
         Vector3 center = (min + max) / 2;
         return Box(
-            min, max, new Sphere(center, (float)RetailMath.Length(max - center)), Face.PlusZ, Face.MinusZ, Face.PlusX, Face.MinusX, Face.PlusY, Face.MinusY);
+            min, max, new Sphere(center, (float)RetailMath.Length(max - center)), Face.PlusZ, Face.MinusZ, Face.PlusX, Face.MinusX,
+            Face.PlusY, Face.MinusY);
     }
 
     internal static PhysicsBsp Box(Vector3 min, Vector3 max, Sphere bounds, params ReadOnlySpan<Face> order)

@@ -14,7 +14,10 @@ using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Tests.Bodies;
 
-/// <summary>A door whose leaf its motion table swings: specification 06, 3 (the pose is the sequence's frame), and 02, 4.17 (set_frame) and 4.18 (hooks).</summary>
+/// <summary>
+/// A door whose leaf its motion table swings: specification 06, 3 (the pose is the sequence's frame), and 02, 4.17 (set_frame) and 4.18
+/// (hooks).
+/// </summary>
 public class AnimatedPartTests
 {
     private const MotionCommand On = (MotionCommand)0x4000000B;

@@ -7,7 +7,9 @@ using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Tests.Bodies;
 
-/// <summary>The body of specification 02, 6: one sphere of radius 0.5 on flat dry ground at z = 0, without movement side or weenie.</summary>
+/// <summary>
+/// The body of specification 02, 6: one sphere of radius 0.5 on flat dry ground at z = 0, without movement side or weenie.
+/// </summary>
 internal sealed class BodyFixture
 {
     internal const float Tick = 1f / 30;

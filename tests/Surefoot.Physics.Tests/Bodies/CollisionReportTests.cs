@@ -23,7 +23,8 @@ public class CollisionReportTests
     };
 
     [Theory, MemberData(nameof(Bounces)), Behaviour("body.bounce.table", "spec/02, 6.8")]
-    public void A_velocity_into_a_surface_is_reflected_by_the_elasticity(Vector3 velocity, Vector3 normal, float elasticity, bool inelastic, Vector3 expected)
+    public void A_velocity_into_a_surface_is_reflected_by_the_elasticity(
+        Vector3 velocity, Vector3 normal, float elasticity, bool inelastic, Vector3 expected)
     {
         BodyFixture f = new(inelastic ? PhysicsState.Default | PhysicsState.Inelastic : PhysicsState.Default);
         f.Body.SetElasticity(elasticity);
@@ -173,7 +174,8 @@ public class CollisionReportTests
         f.Body.Listener = mine;
         PhysicsBody target = f.Engine.CreateBody(2, f.Body.Setup, PhysicsState.Default, Creature);
         target.Listener = theirs;
-        target.Seat(new BodySeat(new(StubWorld.CellId, new Vector3(12, 12, 0)), new(0, 1, 0), TransientState.Contact, default, 0, Vector3.Zero));
+        target.Seat(
+            new BodySeat(new(StubWorld.CellId, new Vector3(12, 12, 0)), new(0, 1, 0), TransientState.Contact, default, 0, Vector3.Zero));
 
         // Left of the target, behind it, and at 1 m of its 1.83 m in the middle third.
         f.Seat(new(11, 11, 1), new(0, 9, 0), TransientState.None);
@@ -182,7 +184,9 @@ public class CollisionReportTests
         Assert.True(f.Body.HandleAllCollisions(touch, hadContact: true, hadWalkable: true, simulatedTime: 1));
         Assert.Equal([new AttackCollision(2, 8 | 64 | 2)], mine.Attacks);
         Assert.Empty(mine.Profiles);
-        Assert.Equal([new ObjectCollision(1, new(0, 8, 0), WeenieTraits.Present, MeInContact: true, OtherIsMissile: true, OtherInContact: true)], theirs.Profiles);
+        Assert.Equal(
+            [new ObjectCollision(1, new(0, 8, 0), WeenieTraits.Present, MeInContact: true, OtherIsMissile: true, OtherInContact: true)],
+            theirs.Profiles);
         Assert.Equal(PhysicsState.Default, f.Body.State);
     }
 
@@ -197,8 +201,11 @@ public class CollisionReportTests
         CollisionInfo touch = Touching(false);
         touch.AddObject(other, TransitionState.Collided);
         f.Body.HandleAllCollisions(touch, hadContact: false, hadWalkable: true, simulatedTime: 1);
-        Assert.Equal([new ObjectCollision(2, new(3, 0, 0), WeenieTraits.Present, MeInContact: false, OtherIsMissile: false, OtherInContact: false)], mine.Profiles);
-        Assert.Equal([new ObjectCollision(1, new(3, 0, 0), Creature, MeInContact: false, OtherIsMissile: false, OtherInContact: false)], theirs.Profiles);
+        Assert.Equal(
+            [new ObjectCollision(2, new(3, 0, 0), WeenieTraits.Present, MeInContact: false, OtherIsMissile: false, OtherInContact: false)],
+            mine.Profiles);
+        Assert.Equal([new ObjectCollision(1, new(3, 0, 0), Creature, MeInContact: false, OtherIsMissile: false, OtherInContact: false)],
+            theirs.Profiles);
 
         PhysicsBody shy = f.Engine.CreateBody(3, null, PhysicsState.Default | PhysicsState.IgnoreCollisions, WeenieTraits.Present);
         shy.Listener = theirs;

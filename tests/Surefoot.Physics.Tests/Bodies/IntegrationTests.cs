@@ -60,7 +60,8 @@ public class IntegrationTests
         f.Seat(new(12, 12, 10), Vector3.Zero, TransientState.None);
         (float Z, float Vz)[] expected =
         [
-            (10f, -1.96000004f), (9.41199875f, -3.92000008f), (8.43199921f, -5.88000011f), (7.05999994f, -7.84000015f), (5.296f, -9.80000019f),
+            (10f, -1.96000004f), (9.41199875f, -3.92000008f), (8.43199921f, -5.88000011f), (7.05999994f, -7.84000015f),
+            (5.296f, -9.80000019f),
             (3.13999987f, -11.7600002f), (0.592000008f, -13.7200003f), (0f, 0.784000397f), (0.156800047f, 0.784000397f),
             (0.117600113f, -1.17599964f), (0f, 0.156800032f), (0f, 0f),
         ];
@@ -126,7 +127,8 @@ public class IntegrationTests
         f.Seat(new(12, 12, 0), Vector3.Zero, Standing);
         f.Body.SetOnWalkable(false);
         f.Body.SetVelocity(new Vector3(0, 0, 2.61916018f));
-        float[] z = [0.0818608999f, 0.15283291f, 0.212916031f, 0.262110263f, 0.300415605f, 0.327832043f, 0.344359607f, 0.349998266f, 0.344553828f];
+        float[] z = [0.0818608999f, 0.15283291f, 0.212916031f, 0.262110263f, 0.300415605f, 0.327832043f, 0.344359607f, 0.349998266f,
+            0.344553828f];
         foreach (float expected in z)
         {
             f.Body.AdvanceQuantum(BodyFixture.Tick);
@@ -217,7 +219,8 @@ public class IntegrationTests
         f.Seat(new(12, 12, 200), Vector3.Zero, TransientState.None);
         f.Body.SetVelocity(new(30, 40, 12));
         Assert.Equal(
-            new Vector3(BitConverter.UInt32BitsToSingle(0x41E95F7A), BitConverter.UInt32BitsToSingle(0x421B94FC), BitConverter.UInt32BitsToSingle(0x413AB2C8)),
+            new Vector3(BitConverter.UInt32BitsToSingle(0x41E95F7A), BitConverter.UInt32BitsToSingle(0x421B94FC),
+                BitConverter.UInt32BitsToSingle(0x413AB2C8)),
             f.Body.Velocity);
         f.Body.SetVelocity(new(0, 0, -60));
         Assert.Equal(new Vector3(0, 0, -50), f.Body.Velocity);

@@ -26,7 +26,8 @@ public class PlacementTests
             BodyFixture f = new();
             f.World.Cell.Obstacle = PushOnce(new Vector3(x, y, 0));
             bool slides = (flags & PlacementFlags.Slide) != 0;
-            PlacementResult result = f.Body.SetPosition(new PlacementRequest(new Position(StubWorld.CellId, new Vector3(10, 10, 0)), flags));
+            PlacementResult result =
+                f.Body.SetPosition(new PlacementRequest(new Position(StubWorld.CellId, new Vector3(10, 10, 0)), flags));
             Assert.Equal(accepted || slides ? PlacementResult.OK : PlacementResult.NoValidPosition, result);
             if (result == PlacementResult.OK) Assert.Equal(new Vector3(x, y, 0), f.Body.Position.Frame.Origin);
         }

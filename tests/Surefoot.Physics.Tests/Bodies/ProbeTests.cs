@@ -25,7 +25,8 @@ public class ProbeTests
         Assert.False(f.Body.IsActive);
     }
 
-    [Fact, Behaviour("body.stop.refused-step", "spec/02, kill_velocity; spec/03, 4.6 validate_transition: OBJECTINFO::kill_velocity @0x0050CFE0")]
+    [Fact]
+    [Behaviour("body.stop.refused-step", "spec/02, kill_velocity; spec/03, 4.6 validate_transition: OBJECTINFO::kill_velocity @0x0050CFE0")]
     public void A_body_whose_step_is_taken_back_loses_its_velocity()
     {
         BodyFixture f = Blocked();

@@ -55,7 +55,8 @@ public class ObjectTraceTests
         {
             TraceEntry[] told = Tell(setup, new(0.2f, 0.1f, 0), new(0.3f, 0, 0));
             int refused = Array.FindIndex(told, e => e is { Kind: TraceKind.Responded, Response: TransitionResponse.StepUp });
-            Assert.Equal((false, TraceReason.TooHigh, setup.Id), (told[refused].Succeeded, told[refused].Reason, told[refused].Subject.SetupId));
+            Assert.Equal((false, TraceReason.TooHigh, setup.Id),
+                (told[refused].Succeeded, told[refused].Reason, told[refused].Subject.SetupId));
             Assert.Contains(told[refused..], e => e.Response == TransitionResponse.Slide && e.Subject.SetupId == setup.Id);
             Assert.Equal(0, told.First(e => e.Kind == TraceKind.Hit && e.Subject.SetupId == setup.Id).Subject.Sphere);
         }
@@ -73,7 +74,8 @@ public class ObjectTraceTests
     }
 
     [Theory, Behaviour("trace.object.passed", "design.md, decision 6; spec/02, 4.21")]
-    [InlineData(WeenieTraits.Present, PhysicsState.Ethereal | PhysicsState.IgnoreCollisions, MoverFlags.None, TraceReason.IgnoresCollisions)]
+    [InlineData(WeenieTraits.Present, PhysicsState.Ethereal | PhysicsState.IgnoreCollisions, MoverFlags.None,
+        TraceReason.IgnoresCollisions)]
     [InlineData(WeenieTraits.Present, PhysicsState.Ethereal, MoverFlags.None, TraceReason.Ethereal)]
     [InlineData(WeenieTraits.Creature, PhysicsState.None, MoverFlags.IsViewer, TraceReason.IgnoredCreature)]
     [InlineData(WeenieTraits.Creature, PhysicsState.None, MoverFlags.IgnoreCreatures, TraceReason.IgnoredCreature)]
@@ -81,9 +83,12 @@ public class ObjectTraceTests
     [InlineData(WeenieTraits.Present, PhysicsState.Missile, MoverFlags.None, TraceReason.PassedByMissile)]
     public void An_object_that_is_passed_says_why(WeenieTraits weenie, PhysicsState state, object flags, TraceReason reason)
     {
-        WorldObject target = new(ObjectId, new SetupAsset { Id = Ball, Spheres = [new Sphere(new(1.2f, 0, 0.6f), 0.6f)] }, state) { Weenie = weenie };
+        WorldObject target = new(ObjectId, new SetupAsset { Id = Ball, Spheres = [new Sphere(new(1.2f, 0, 0.6f), 0.6f)] },
+            state)
+        { Weenie = weenie };
         TraceEntry[] told = Tell(target, new(0.2f, 0.1f, 0), new(0.3f, 0, 0), Standing | (MoverFlags)flags);
-        Assert.Contains(told, e => e.Kind is TraceKind.Skipped or TraceKind.ObjectAnswered && e.Subject.ObjectId == ObjectId && e.Reason == reason);
+        Assert.Contains(
+            told, e => e.Kind is TraceKind.Skipped or TraceKind.ObjectAnswered && e.Subject.ObjectId == ObjectId && e.Reason == reason);
     }
 
     [Fact, Behaviour("trace.object.too-far", "design.md, decision 6")]

@@ -18,14 +18,16 @@ public class TraceTests
     {
         TraceEntry[] told = Tell(new StubWorld(FlatGround), Vector3.Zero, new(1, 0, 0), Standing);
         Assert.Equal((TraceKind.SweepBegins, new Vector3(1, 0, 0)), (told[0].Kind, told[0].Offset));
-        TraceEntry[] begins = [.. told.Where(e => e.Kind == TraceKind.SubStepBegins)], ends = [.. told.Where(e => e.Kind == TraceKind.SubStepEnds)];
+        TraceEntry[] begins = [.. told.Where(e => e.Kind == TraceKind.SubStepBegins)],
+            ends = [.. told.Where(e => e.Kind == TraceKind.SubStepEnds)];
         Assert.Equal([(0, 3), (1, 3), (2, 3)], begins.Select(e => (e.Index, e.Count)));
         Assert.All(begins, e => Assert.Equal(1f / 3, e.Offset.X, 1e-6f));
         // Before the first one the sweep knows only the plane it was given.
         Assert.Equal([TraceSubjectKind.AsBefore, TraceSubjectKind.Ground, TraceSubjectKind.Ground], begins.Select(e => e.Subject.Kind));
         Assert.All(ends, e => Assert.True(e is { Succeeded: true, Answer: TransitionState.OK, Subject.Kind: TraceSubjectKind.Ground }));
         TraceEntry end = told[^1];
-        Assert.True(end is { Kind: TraceKind.SweepEnds, Succeeded: true, Subject: { Kind: TraceSubjectKind.Ground, CellId: StubWorld.CellId } });
+        Assert.True(
+            end is { Kind: TraceKind.SweepEnds, Succeeded: true, Subject: { Kind: TraceSubjectKind.Ground, CellId: StubWorld.CellId } });
         Assert.Equal((StubWorld.Flat(0), StubWorld.CellId), (end.Plane, end.PlaneCellId));
         Assert.Equal(1, end.Origin.X, 1e-6f);
     }
@@ -35,7 +37,8 @@ public class TraceTests
     {
         TraceEntry[] told = Tell(new StubWorld(FlatGround), new(0, 0, 0.1f), new(0.02f, 0, -0.3f), MoverFlags.None);
         TraceEntry first = told.First(e => e.Kind == TraceKind.CellAnswered);
-        Assert.Equal((SweepQuestion.Move, TransitionState.Adjusted, StubWorld.CellId), (first.Question, first.Answer, first.Subject.CellId));
+        Assert.Equal((SweepQuestion.Move, TransitionState.Adjusted, StubWorld.CellId),
+            (first.Question, first.Answer, first.Subject.CellId));
         TraceEntry hit = told.First(e => e.Kind == TraceKind.Hit);
         Assert.Equal(-0.2f, hit.Gap, 1e-6f);
         Assert.Equal(StubWorld.Flat(0), hit.Plane);
@@ -86,7 +89,8 @@ public class TraceTests
     [InlineData(-0.7f, false, TraceReason.NoFooting)]
     public void A_step_down_is_told_and_why_it_finds_nothing(float floor, bool stands, TraceReason reason)
     {
-        TraceEntry down = Single(Tell(LedgeWorld(StubWorld.Flat(floor)), new(0.9f, 0, 0), new(0.3f, 0, 0), Standing), TransitionResponse.StepDown);
+        TraceEntry down = Single(Tell(LedgeWorld(StubWorld.Flat(floor)), new(0.9f, 0, 0), new(0.3f, 0, 0), Standing),
+            TransitionResponse.StepDown);
         Assert.Equal((stands, reason), (down.Succeeded, down.Reason));
     }
 
@@ -99,7 +103,8 @@ public class TraceTests
         Assert.Equal((false, TraceReason.NothingBehind), (stopped.Succeeded, stopped.Reason));
 
         TraceEntry[] cliff = Tell(LedgeWorld(StubWorld.SlopeFromX1(60, rising: false)), new(0.9f, 0, 0), new(0.3f, 0.1f, 0), Careful);
-        Assert.Contains(cliff, e => e is { Response: TransitionResponse.StepDown, Kind: TraceKind.Responded, Reason: TraceReason.TooSteep });
+        Assert.Contains(
+            cliff, e => e is { Response: TransitionResponse.StepDown, Kind: TraceKind.Responded, Reason: TraceReason.TooSteep });
         TraceEntry slide = cliff.First(e => e.Response == TransitionResponse.CliffSlide);
         Assert.Equal(new Vector3(-1, 0, 0), slide.Plane.Normal);
         Assert.Equal(TraceSubjectKind.None, slide.Subject.Kind);
@@ -122,7 +127,8 @@ public class TraceTests
         Assert.Equal(TraceReason.Regained, Assert.Single(regained, e => e.Kind == TraceKind.ContactPlane).Reason);
         Assert.Equal(TraceSubjectKind.AsBefore, regained[^1].Subject.Kind);
 
-        TraceEntry[] stuck = Tell(new StubWorld(_ => null) { Blocks = _ => true }, new(0, 0, 5), new(0, 0, -0.1f), MoverFlags.None, stationary: 2);
+        TraceEntry[] stuck =
+            Tell(new StubWorld(_ => null) { Blocks = _ => true }, new(0, 0, 5), new(0, 0, -0.1f), MoverFlags.None, stationary: 2);
         TraceEntry floor = Assert.Single(stuck, e => e.Kind == TraceKind.ContactPlane);
         Assert.Equal((TraceReason.MadeUp, Vector3.UnitZ), (floor.Reason, floor.Plane.Normal));
         Assert.Equal(TraceSubjectKind.None, stuck[^1].Subject.Kind);
@@ -148,14 +154,16 @@ public class TraceTests
     private static TraceEntry Single(TraceEntry[] told, TransitionResponse response) =>
         Assert.Single(told, e => e.Kind == TraceKind.Responded && e.Response == response);
 
-    private static TraceEntry[] Tell(StubWorld world, Vector3 start, Vector3 way, MoverFlags flags, int stationary = 0, Vector3? sliding = null)
+    private static TraceEntry[] Tell(
+        StubWorld world, Vector3 start, Vector3 way, MoverFlags flags, int stationary = 0, Vector3? sliding = null)
     {
         TraceBuffer trace = new();
         Sweep(world, trace, start, way, flags, stationary, sliding);
         return trace.Entries.ToArray();
     }
 
-    private static void Sweep(StubWorld world, TraceBuffer trace, Vector3 start, Vector3 way, MoverFlags flags, int stationary, Vector3? sliding)
+    private static void Sweep(
+        StubWorld world, TraceBuffer trace, Vector3 start, Vector3 way, MoverFlags flags, int stationary, Vector3? sliding)
     {
         Transition t = world.Sweep(start, way, flags, stationary, sliding);
         t.Trace = trace;

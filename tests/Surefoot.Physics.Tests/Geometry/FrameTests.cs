@@ -6,7 +6,10 @@ namespace Surefoot.Physics.Tests.Geometry;
 /// <summary>Where a frame faces: specification 03, 4.1.4.</summary>
 public class FrameTests
 {
-    /// <summary>Pitch about x, then yaw about z: +y faces the way, and +x stays level. For a climb of 53.13 degrees half the angle has sine 0.4472136 and cosine 0.8944272.</summary>
+    /// <summary>
+    /// Pitch about x, then yaw about z: +y faces the way, and +x stays level. For a climb of 53.13 degrees half the angle has sine
+    /// 0.4472136 and cosine 0.8944272.
+    /// </summary>
     [Theory, Behaviour("geometry.heading.vector", "spec/03, 4.1.4, Frame::set_vector_heading @0x00535DB0")]
     [InlineData(0f, 3f, 4f, 1f, 0f)]
     [InlineData(3f, 0f, 4f, 0f, -1f)]
@@ -92,7 +95,8 @@ public class FrameTests
     }
 
     [Fact]
-    [Behaviour("geometry.frame.heading-stores", "spec/03, 3.1 and 4.1.4, Frame::set_vector_heading @0x00535DB0: the two angles are handed on as floats")]
+    [Behaviour("geometry.frame.heading-stores",
+        "spec/03, 3.1 and 4.1.4, Frame::set_vector_heading @0x00535DB0: the two angles are handed on as floats")]
     public void The_angles_of_a_heading_are_stored_before_their_sines_are_taken()
     {
         int told = 0;
@@ -115,7 +119,8 @@ public class FrameTests
             float x = (float)(direction.X / length), y = (float)(direction.Y / length);
             double yaw = -((450 - (Math.Atan2(y, x) * 180 / Math.PI)) % 360) * Math.PI / 180;
             if (store) yaw = (float)yaw;
-            double sine = (float)Math.Sin(yaw / 2), cosine = (float)Math.Cos(yaw / 2), inverse = 1 / Math.Sqrt((sine * sine) + (cosine * cosine));
+            double sine = (float)Math.Sin(yaw / 2), cosine = (float)Math.Cos(yaw / 2),
+                inverse = 1 / Math.Sqrt((sine * sine) + (cosine * cosine));
             return new(0, 0, (float)(sine * inverse), (float)(cosine * inverse));
         }
     }

@@ -122,7 +122,8 @@ public class PolygonTests
     [InlineData(0.3, 0.3, -0.6, 0.75, -0.099999994, 0.5, 0.5)]
     [InlineData(0.3, 0, -0.15, 1, 0, 0.5, -0.333333194)]
     [InlineData(-0.4, 0, -0.6, 1, 0, 0.5, -0.49999994)]
-    public void A_sphere_is_pulled_back_until_it_rests(float z, float moveX, float moveZ, float interp, float x, float afterZ, float afterInterp)
+    public void A_sphere_is_pulled_back_until_it_rests(
+        float z, float moveX, float moveZ, float interp, float x, float afterZ, float afterInterp)
     {
         Sphere sphere = Half(0, 0, z);
         Assert.True(Polygon(Floor).AdjustSphereToPlane(ref sphere, new Vector3(moveX, 0, moveZ), ref interp));
@@ -130,7 +131,9 @@ public class PolygonTests
         Assert.Equal(afterInterp, interp);
     }
 
-    [Fact, Behaviour("polygon.rest.before-the-begin", "spec/04, 4.4 adjust_sphere_to_plane step 4: (1 - t) is multiplied with what is left before it is compared")]
+    [Fact]
+    [Behaviour("polygon.rest.before-the-begin",
+        "spec/04, 4.4 adjust_sphere_to_plane step 4: (1 - t) is multiplied with what is left before it is compared")]
     public void A_sphere_that_an_earlier_polygon_adjusted_may_be_pulled_back_to_before_its_begin()
     {
         // 0.2 m too deep, at 0.1 m down a movement: t = 2, and (1 - 2) * 0.25 is above the floor of -0.5.

@@ -32,7 +32,8 @@ public class PrimitiveTests
     [InlineData(0, 0.5, 0, 0, 0, 2, false, 0)]
     public void A_ray_meets_a_sphere_from_outside(float x, float y, float z, float dx, float dy, float dz, bool meets, double time)
     {
-        Assert.Equal(meets, CollisionPrimitives.SphereIntersectsRay(new Sphere(Vector3.Zero, 1), new(x, y, z), new(dx, dy, dz), out double t));
+        Assert.Equal(meets,
+            CollisionPrimitives.SphereIntersectsRay(new Sphere(Vector3.Zero, 1), new(x, y, z), new(dx, dy, dz), out double t));
         Assert.Equal(time, t, 7);
     }
 
@@ -117,7 +118,8 @@ public class PrimitiveTests
                 if (Math.Abs(distance - (radius - 0.0002)) < 5e-4) return;
                 // On the line of an edge, to a rounding, retail's two walks may disagree about the side, and then the polygon is missed.
                 if (DistanceFromEdgeLines(a, b, c, center) < 1e-5) return;
-                Assert.Equal(distance < radius, new ConvexPolygon(ConvexPolygon.MakePlane(corners), corners).HitsSphere(new Sphere(center, radius)));
+                Assert.Equal(distance < radius,
+                    new ConvexPolygon(ConvexPolygon.MakePlane(corners), corners).HitsSphere(new Sphere(center, radius)));
             },
             iter: Fuzz.Cases(4000));
 

@@ -25,7 +25,8 @@ public class MovementManagerTests
         MotionInterpreter interpreter = movement.Interpreter;
         Assert.True(movement.HasInterpreter);
         Assert.Same(interpreter, movement.Interpreter);
-        Assert.Equal((true, MotionCommand.Ready, false), (interpreter.IsInitialised, interpreter.Interpreted.ForwardCommand, interpreter.StandingLongJump));
+        Assert.Equal((true, MotionCommand.Ready, false),
+            (interpreter.IsInitialised, interpreter.Interpreted.ForwardCommand, interpreter.StandingLongJump));
         Assert.Equal((false, false), (cancelled, body.Unstuck));
         movement.ApplyUpdate(Walk, autonomous: false, standingLongJump: true);
         Assert.Equal((MotionCommand.WalkForward, 0.5f), (interpreter.Interpreted.ForwardCommand, interpreter.Interpreted.ForwardSpeed));
@@ -51,7 +52,9 @@ public class MovementManagerTests
 
         // Each time the default state, then the style and the forward command of its LeaveGround.
         Assert.Equal(
-            [MotionCommand.Ready, MotionCommand.NonCombat, MotionCommand.Ready, MotionCommand.Ready, MotionCommand.NonCombat, MotionCommand.Ready],
+            [
+                MotionCommand.Ready, MotionCommand.NonCombat, MotionCommand.Ready, MotionCommand.Ready, MotionCommand.NonCombat,
+                MotionCommand.Ready],
             Enumerable.Range(0, movement.Interpreter.PendingCount).Select(i => movement.Interpreter.GetPending(i).Motion));
         ((IBodyMovement)movement).UseTime();
         Assert.False(movement.MotionsPending);
@@ -62,7 +65,8 @@ public class MovementManagerTests
     [InlineData(MovementKind.RawCommand, true)]
     [InlineData(MovementKind.StopRawCommand, true)]
     [InlineData(MovementKind.StopCompletely, false)]
-    public void Doing_and_stopping_a_motion_sets_the_autonomous_flag_before_anything_else_and_stopping_completely_leaves_it(object kind, bool autonomous)
+    public void Doing_and_stopping_a_motion_sets_the_autonomous_flag_before_anything_else_and_stopping_completely_leaves_it(
+        object kind, bool autonomous)
     {
         FakeBody body = new() { LastMoveWasAutonomous = false };
         MovementManager movement = new(body, HumanoidTable.Create(), FakeBody.Player());

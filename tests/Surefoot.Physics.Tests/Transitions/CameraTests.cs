@@ -30,7 +30,8 @@ public class CameraTests
         Assert.Equal(7, SubStepPlan.Of(t.Path, t.Object.Has(MoverFlags.IsViewer)).Count);
         Assert.True(t.FindValidPosition());
         Assert.Equal(6, trace.StepCount());
-        Assert.True(Vector3.Distance(new(-1.02857137f, 0, 0.300000012f), t.Path.CurrPos.Frame.Origin) < 2e-7f, $"{t.Path.CurrPos.Frame.Origin:R}");
+        Assert.True(Vector3.Distance(new(-1.02857137f, 0, 0.300000012f), t.Path.CurrPos.Frame.Origin) < 2e-7f,
+            $"{t.Path.CurrPos.Frame.Origin:R}");
         Assert.Equal((true, Vector3.UnitZ), (t.Collision.CollisionNormalValid, t.Collision.CollisionNormal));
     }
 
@@ -53,7 +54,9 @@ public class CameraTests
         Assert.Equal(new Vector3(0, 0, 1.5f), t.Path.CurrPos.Frame.Origin);
     }
 
-    [Fact, Behaviour("transition.camera.level-inside-the-ground", "spec/03, 4.4: t = d / 0 moves the sphere infinitely far, which no attempt repairs and the step undoes")]
+    [Fact]
+    [Behaviour("transition.camera.level-inside-the-ground",
+        "spec/03, 4.4: t = d / 0 moves the sphere infinitely far, which no attempt repairs and the step undoes")]
     public void A_camera_that_begins_in_the_ground_and_moves_level_stays_where_it_is()
     {
         Vector3 from = new(0, 0, 0.1f);

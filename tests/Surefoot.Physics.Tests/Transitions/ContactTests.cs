@@ -19,7 +19,8 @@ public class ContactTests
         return new Plane((float)-Math.Sin(a), 0, (float)Math.Cos(a), 0);
     }
 
-    private static Transition At(Vector3 check, Vector3 curr, MoverFlags flags = MoverFlags.None, float radius = 0.48f, uint beginCell = Cell)
+    private static Transition At(
+        Vector3 check, Vector3 curr, MoverFlags flags = MoverFlags.None, float radius = 0.48f, uint beginCell = Cell)
     {
         StubWorld world = new(_ => null);
         Transition t = new(world);
@@ -71,7 +72,8 @@ public class ContactTests
     public void Terrain_answers_the_lowest_point_of_the_sphere()
     {
         const MoverFlags stands = MoverFlags.Contact | MoverFlags.OnWalkable;
-        (int Row, float Cz, Plane Plane, MoverFlags Flags, bool Probe, bool Check, float Interp, float Water, TransitionState Result, float Moved, bool Contact, bool Hit, float InterpAfter)[] rows =
+        (int Row, float Cz, Plane Plane, MoverFlags Flags, bool Probe, bool Check, float Interp, float Water, TransitionState Result,
+            float Moved, bool Contact, bool Hit, float InterpAfter)[] rows =
         [
             (1, 0.481f, Level, 0, false, false, 1, 0, TransitionState.OK, 0, false, false, 1),
             (2, 0.4801f, Level, 0, false, false, 1, 0, TransitionState.OK, 0, true, true, 1),
@@ -109,7 +111,8 @@ public class ContactTests
             Assert.True(Math.Abs(row.Moved - moved) < 1e-7, $"row {row.Row}: moved {moved:R}, expected {row.Moved:R}");
             Assert.Equal((row.Row, row.Contact), (row.Row, t.Collision.ContactPlaneValid));
             Assert.Equal((row.Row, row.Hit, row.Hit), (row.Row, t.Collision.CollisionNormalValid, t.Collision.CollidedWithEnvironment));
-            Assert.True(Math.Abs(row.InterpAfter - t.Path.WalkInterp) < 1e-7, $"row {row.Row}: interp {t.Path.WalkInterp:R}, expected {row.InterpAfter:R}");
+            Assert.True(Math.Abs(row.InterpAfter - t.Path.WalkInterp) < 1e-7,
+                $"row {row.Row}: interp {t.Path.WalkInterp:R}, expected {row.InterpAfter:R}");
         }
     }
 
@@ -156,7 +159,8 @@ public class ContactTests
         }
     }
 
-    [Fact, Behaviour("transition.slide.roundings", "spec/03, 4.8.1, 4: in the square of the crease z counts once stored and once unrounded")]
+    [Fact]
+    [Behaviour("transition.slide.roundings", "spec/03, 4.8.1, 4: in the square of the crease z counts once stored and once unrounded")]
     public void A_slide_squares_the_crease_with_one_unrounded_factor()
     {
         // Stored in both factors: (0.199867383, 0.25253883, −0.387605041); in none: (0.199867412, 0.25253889, −0.387605131).

@@ -85,7 +85,10 @@ internal sealed class StubWorld : ICellWorld
         Setup(new Sphere(new Vector3(0, 0, 0.48f), 0.48f), new Sphere(new Vector3(0, 0, 1.35f), 0.48f)),
         PhysicsState.Gravity | PhysicsState.ReportCollisions);
 
-    /// <summary>A transition from <paramref name="start"/> by <paramref name="displacement"/>, seeded with the ground's plane where the mover has contact.</summary>
+    /// <summary>
+    /// A transition from <paramref name="start"/> by <paramref name="displacement"/>, seeded with the ground's plane where the mover has
+    /// contact.
+    /// </summary>
     internal Transition Sweep(Vector3 start, Vector3 displacement, MoverFlags flags, int stationary = 0, Vector3? sliding = null)
     {
         Transition transition = new(this);

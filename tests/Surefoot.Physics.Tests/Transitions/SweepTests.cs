@@ -21,7 +21,8 @@ public class SweepTests
     {
         Vector3 end = t.Path.CurrPos.Frame.Origin;
         Assert.True(
-            Math.Abs(end.X - x) < 2e-6 && Math.Abs(end.Y - y) < 2e-6 && Math.Abs(end.Z - z) < 2e-6, $"ended at {end}, not at ({x}, {y}, {z})");
+            Math.Abs(end.X - x) < 2e-6 && Math.Abs(end.Y - y) < 2e-6 && Math.Abs(end.Z - z) < 2e-6,
+            $"ended at {end}, not at ({x}, {y}, {z})");
         Assert.Equal(contact, t.Object.Flags & Standing);
     }
 
@@ -162,7 +163,8 @@ public class SweepTests
     [InlineData(true, 0.9f, 0f)]
     public void A_steep_slope_ahead_is_entered_or_stops_the_step(bool edgeSlide, float x, float y)
     {
-        Transition t = LedgeWorld(StubWorld.SlopeFromX1(60, rising: true)).Sweep(new(0.9f, 0, 0), new(0.3f, 0.1f, 0), edgeSlide ? Careful : Standing);
+        Transition t = LedgeWorld(StubWorld.SlopeFromX1(60, rising: true)).Sweep(new(0.9f, 0, 0), new(0.3f, 0.1f, 0),
+            edgeSlide ? Careful : Standing);
         Assert.True(t.FindValidPosition());
         AssertEndsAt(t, x, y, 0, edgeSlide ? Standing : MoverFlags.None);
         if (edgeSlide) Assert.Equal(new Vector3(-1, 0, 0), t.Collision.SlidingNormal);

@@ -76,7 +76,8 @@ public sealed class BlockContentTests
     [Behaviour("world.loading.buildings", "spec/05, 4.7, 3: the cell under the origin, the file's frame, the first of a cell")]
     public void A_building_belongs_to_the_cell_under_its_origin_and_the_first_of_a_cell_wins()
     {
-        BuildingPortalRecord door = new(PortalFlags.NormalPointsIn, 0x0100, 3, []), closed = new(PortalFlags.None, 0x0101, 0xFFFF, [0x0100, 0x0101, 0x0102]);
+        BuildingPortalRecord door = new(PortalFlags.NormalPointsIn, 0x0100, 3, []),
+            closed = new(PortalFlags.None, 0x0101, 0xFFFF, [0x0100, 0x0101, 0x0102]);
         Landblock block = Block(new LandBlockInfo
         {
             Id = WorldRecords.Info,
@@ -95,7 +96,9 @@ public sealed class BlockContentTests
         Assert.Same(block.Buildings[1], block.LandCells[9].Building);
         Assert.Equal(2, block.LandCells.ToArray().Count(c => c.Building is not null));
         Assert.Equal(
-            [new Surefoot.Physics.World.BuildingPortal(0xA9B40100, 3), new Surefoot.Physics.World.BuildingPortal(0xA9B40101, -1)], block.Buildings[0].Portals.ToArray());
+            [
+                new Surefoot.Physics.World.BuildingPortal(0xA9B40100, 3),
+                new Surefoot.Physics.World.BuildingPortal(0xA9B40101, -1)], block.Buildings[0].Portals.ToArray());
         // A shell is no object of a cell's list.
         Assert.Empty(block.StaticObjects);
         Assert.All(block.LandCells.ToArray(), cell => Assert.Equal(0, cell.ShadowCount));
@@ -112,15 +115,18 @@ public sealed class BlockContentTests
             RestrictionBuckets = 8,
             Restrictions =
             [
-                new CellRestriction(0xA9B40001, 0x70000001), new CellRestriction(0xA9B40002, 0), new CellRestriction(0xA9B50003, 0x70000002),
+                new CellRestriction(0xA9B40001, 0x70000001), new CellRestriction(0xA9B40002, 0),
+                new CellRestriction(0xA9B50003, 0x70000002),
                 new CellRestriction(0xA9B40040, 0x70000003), new CellRestriction(0xA9B40041, 0x70000004),
             ],
         });
-        for (int i = 0; i < 64; i++) Assert.Equal(i switch { 0 => 0x70000001u, 63 => 0x70000003u, _ => 0u }, block.LandCells[i].RestrictionObject);
+        for (int i = 0; i < 64; i++)
+            Assert.Equal(i switch { 0 => 0x70000001u, 63 => 0x70000003u, _ => 0u }, block.LandCells[i].RestrictionObject);
     }
 
     [Fact]
-    [Behaviour("world.loading.order-of-statics", "spec/05, 4.7, 5 and 7: objects of the block in the file's order, then those of its rooms")]
+    [Behaviour("world.loading.order-of-statics",
+        "spec/05, 4.7, 5 and 7: objects of the block in the file's order, then those of its rooms")]
     public void Statics_are_listed_in_the_order_in_which_retail_creates_them()
     {
         Landblock block = Block(
@@ -128,7 +134,8 @@ public sealed class BlockContentTests
             {
                 Id = WorldRecords.Info,
                 CellCount = 1,
-                Objects = [new StaticRecord(Thing, WorldRecords.At(13, 12)), new StaticRecord(Thing, WorldRecords.At(11, 12)), new StaticRecord(Thing, WorldRecords.At(12, 12))],
+                Objects = [new StaticRecord(Thing, WorldRecords.At(13, 12)), new StaticRecord(Thing, WorldRecords.At(11, 12)),
+                    new StaticRecord(Thing, WorldRecords.At(12, 12))],
             },
             new EnvCellRecord
             {
@@ -137,7 +144,8 @@ public sealed class BlockContentTests
                 Flags = EnvCellFlags.HasStaticObjects,
                 EnvironmentId = Shapes,
                 Position = DatFrame.Identity,
-                StaticObjects = [new StaticRecord(0, DatFrame.Identity), new StaticRecord(Thing, WorldRecords.At(500, 1)), new StaticRecord(Thing, WorldRecords.At(-9, 2))],
+                StaticObjects = [new StaticRecord(0, DatFrame.Identity), new StaticRecord(Thing, WorldRecords.At(500, 1)),
+                    new StaticRecord(Thing, WorldRecords.At(-9, 2))],
             });
         Assert.Equal([13f, 11, 12, 500, -9], block.StaticObjects.Select(o => o.Position.Frame.Origin.X));
         Assert.Equal([13f, 11, 12], LoadingTests.Listed(block.LandCells[0]).Select(o => o.Position.Frame.Origin.X));
@@ -184,7 +192,8 @@ public sealed class BlockContentTests
     private static StaticObject Outlier(LandCell cell)
     {
         GfxObjAsset mesh = new() { Id = 0x01000001, BoundingBox = new BoundingBox(new Vector3(-1), new Vector3(1)) };
-        SetupAsset setup = new SetupAsset { Id = Thing, Parts = [new SetupPart(mesh, Vector3.One)] }.With(0, [new Frame(new Vector3(3, 0, 0), Quaternion.Identity)]);
+        SetupAsset setup = new SetupAsset { Id = Thing, Parts = [new SetupPart(mesh, Vector3.One)] }.With(0,
+            [new Frame(new Vector3(3, 0, 0), Quaternion.Identity)]);
         return new StaticObject(setup, new Position(cell.Id, new Vector3(191, 100, 0)), 1, cell, 1);
     }
 

@@ -66,7 +66,8 @@ public sealed class CellListTests
             float[] n = Ground.Numbers(box.Replace(' ', ','));
             Vector3 at = new(place[0], place[1], 0);
             parts.Add(new PartExtent(
-                new Position(id, at), new BoundingBox(new Vector3(n[0], n[1], 0) - at, new Vector3(n[2], n[3], 5) - at), default, false, false));
+                new Position(id, at), new BoundingBox(new Vector3(n[0], n[1], 0) - at, new Vector3(n[2], n[3], 5) - at), default, false,
+                false));
         }
 
         CellArray array = new();
@@ -175,7 +176,8 @@ public sealed class CellListTests
         return new Sphere(new Vector3(n[0], n[1], n.Length > 2 ? n[2] : 0), radius);
     });
 
-    internal static string Ids(CellArray array) => string.Join(' ', Enumerable.Range(0, array.Count).Select(i => array[i].Id.ToString("X8")));
+    internal static string Ids(CellArray array) =>
+        string.Join(' ', Enumerable.Range(0, array.Count).Select(i => array[i].Id.ToString("X8")));
 
     internal static PhysicsBody Enter(PhysicsWorld world, Position place, WeenieTraits weenie = WeenieTraits.None)
     {

@@ -4,7 +4,10 @@ using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Tests.World;
 
-/// <summary>The test world of <c>tests/data/worlds/first</c>: 5 × 5 landblocks A7B2 to ABB6 with a ring of plain ones, two houses, a dungeon in 0105.</summary>
+/// <summary>
+/// The test world of <c>tests/data/worlds/first</c>: 5 × 5 landblocks A7B2 to ABB6 with a ring of plain ones, two houses, a dungeon in
+/// 0105.
+/// </summary>
 public sealed class FirstWorld : IDisposable
 {
     public const uint SouthWest = 0xA7B20000;

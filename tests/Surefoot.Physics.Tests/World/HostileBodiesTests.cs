@@ -16,7 +16,8 @@ public sealed class HostileBodiesTests
 {
     private const uint Cell = 0xA9B40001, Scene = 0x12000001;
 
-    private static readonly SetupAsset Walker = StubWorld.Setup(new Sphere(new Vector3(0, 0, 0.48f), 0.48f), new Sphere(new Vector3(0, 0, 1.35f), 0.48f));
+    private static readonly SetupAsset Walker = StubWorld.Setup(
+        new Sphere(new Vector3(0, 0, 0.48f), 0.48f), new Sphere(new Vector3(0, 0, 1.35f), 0.48f));
 
     [Theory]
     [Behaviour("world.strict.scenery-scale", "spec/07, 9.1; spec/05, 4.8")]
@@ -27,7 +28,8 @@ public sealed class HostileBodiesTests
     [InlineData(1, float.PositiveInfinity)]
     public void Strict_loading_names_the_scene_of_scenery_without_a_size(float least, float most)
     {
-        SceneObject thing = new() { ObjectId = Thing, BaseFrame = DatFrame.Identity, Frequency = 2, MinScale = least, MaxScale = most, MaxSlope = 2 };
+        SceneObject thing =
+            new() { ObjectId = Thing, BaseFrame = DatFrame.Identity, Frequency = 2, MinScale = least, MaxScale = most, MaxSlope = 2 };
         PhysicsWorld world = new Records { [Scene] = new Scene { Id = Scene, Objects = [thing] } }.World(SceneryEverywhere, strict: true);
         DatFormatException error = Assert.Throws<DatFormatException>(() => world.LoadLandblock(Block));
         Assert.Equal(Scene, error.RecordId);
@@ -38,7 +40,8 @@ public sealed class HostileBodiesTests
     [Behaviour("world.hostile.scenery-of-size-1", "spec/05, 4.8: the control of the test above")]
     public void Scenery_of_an_ordinary_size_loads()
     {
-        SceneObject thing = new() { ObjectId = Thing, BaseFrame = DatFrame.Identity, Frequency = 2, MinScale = 1, MaxScale = 1, MaxSlope = 2 };
+        SceneObject thing =
+            new() { ObjectId = Thing, BaseFrame = DatFrame.Identity, Frequency = 2, MinScale = 1, MaxScale = 1, MaxSlope = 2 };
         PhysicsWorld world = new Records { [Scene] = new Scene { Id = Scene, Objects = [thing] } }.World(SceneryEverywhere);
         Assert.True(world.LoadLandblock(Block));
         Assert.NotEmpty(world.FindLandblock(Block)!.StaticObjects);
@@ -59,7 +62,8 @@ public sealed class HostileBodiesTests
     }
 
     [Fact]
-    [Behaviour("world.hostile.setup-without-parts", "design.md, decision 7; spec/06, 2; spec/02, 4.4 step 5: without spheres a body stays where it is")]
+    [Behaviour("world.hostile.setup-without-parts",
+        "design.md, decision 7; spec/06, 2; spec/02, 4.4 step 5: without spheres a body stays where it is")]
     public void A_setup_without_parts_stops_nobody_and_a_body_of_it_stays_where_it_was_put()
     {
         PhysicsWorld world = new Records
@@ -69,7 +73,8 @@ public sealed class HostileBodiesTests
         }.World();
         Assert.True(world.LoadLandblock(Block));
         PhysicsEngine engine = new(world);
-        PhysicsBody bare = engine.CreateBody(2, world.FindLandblock(Block)!.StaticObjects[0].Setup), walker = Enter(engine, 1, new Vector3(10, 12, 0));
+        PhysicsBody bare = engine.CreateBody(2, world.FindLandblock(Block)!.StaticObjects[0].Setup),
+            walker = Enter(engine, 1, new Vector3(10, 12, 0));
         Assert.True(bare.EnterWorld(new Position(Cell, new Vector3(11.5f, 12, 5))));
         Position put = bare.Position;
         for (int i = 0; i < 40; i++)
@@ -92,14 +97,17 @@ public sealed class HostileBodiesTests
     public void A_body_walks_against_a_mesh_of_ten_thousand_nodes_in_a_line(bool downFront, bool polygonsBeside)
     {
         GfxObj line = MeshRecords.Line(10_000, downFront, polygonsBeside);
-        PhysicsWorld world = new Records { [line.Id] = line, [Info] = new LandBlockInfo { Id = Info, CellCount = 1, Objects = [At(line.Id, 12)] } }.World();
+        PhysicsWorld world =
+            new Records { [line.Id] = line, [Info] = new LandBlockInfo { Id = Info, CellCount = 1, Objects = [At(line.Id, 12)] } }.World();
         Assert.True(world.LoadLandblock(Block));
         PhysicsEngine engine = new(world);
         // All of its box is solid, so nobody can be placed near it.
         PhysicsBody walker = engine.CreateBody(1, Walker, weenie: WeenieTraits.Present | WeenieTraits.Creature);
         Position begin = new(Cell, new Vector3(9, 12, 0));
         Assert.False(walker.EnterWorld(begin, slide: false));
-        walker.Seat(new BodySeat(begin, Vector3.Zero, TransientState.Contact | TransientState.OnWalkable, new Plane(0, 0, 1, 0), Cell, Vector3.Zero));
+        walker.Seat(
+            new BodySeat(begin, Vector3.Zero, TransientState.Contact | TransientState.OnWalkable, new Plane(0, 0, 1, 0), Cell,
+                Vector3.Zero));
         for (int i = 0; i < 20; i++) Strides.Walk(walker, new Vector3(0.2f, 0.01f, 0));
         Assert.NotNull(walker.Cell);
         Assert.True(RetailMath.IsFinite(walker.Position.Frame.Origin));
@@ -111,7 +119,12 @@ public sealed class HostileBodiesTests
     {
         PhysicsWorld world = new Records
         {
-            [Info] = new LandBlockInfo { Id = Info, CellCount = 1, Objects = [.. Enumerable.Range(0, 10_000).Select(i => At(Thing, 8 + (i * 0.0001f)))] },
+            [Info] = new LandBlockInfo
+            {
+                Id = Info,
+                CellCount = 1,
+                Objects = [.. Enumerable.Range(0, 10_000).Select(i => At(Thing, 8 + (i * 0.0001f)))],
+            },
         }.World();
         Assert.True(world.LoadLandblock(Block));
         PhysicsEngine engine = new(world);
@@ -133,9 +146,11 @@ public sealed class HostileBodiesTests
         PhysicsBody[] bodies = new PhysicsBody[10_000];
         for (int i = 0; i < bodies.Length; i++)
         {
-            // Hooks are put where they are told without a test (specification 02, 4.16, ForceIntoCell); every hundredth body is tested against all before it.
+            // Hooks are put where they are told without a test (specification 02, 4.16, ForceIntoCell); every hundredth body is tested
+            // against all before it.
             WeenieTraits weenie = i % 100 == 0 ? WeenieTraits.Present : WeenieTraits.Present | WeenieTraits.Hook;
-            bodies[i] = engine.CreateBody((uint)i + 1, Walker, PhysicsState.Default | PhysicsState.Ethereal | PhysicsState.IgnoreCollisions, weenie);
+            bodies[i] = engine.CreateBody((uint)i + 1, Walker, PhysicsState.Default | PhysicsState.Ethereal | PhysicsState.IgnoreCollisions,
+                weenie);
             Assert.True(bodies[i].EnterWorld(new Position(Cell, new Vector3(12, 12, 0))));
         }
 

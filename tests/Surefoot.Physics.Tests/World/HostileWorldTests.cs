@@ -11,10 +11,14 @@ using StaticObject = Surefoot.Dats.Records.StaticObject;
 
 namespace Surefoot.Physics.Tests.World;
 
-/// <summary>Landblocks whose records promise what is not there: loaded strictly each is refused, naming the culprit. <see cref="LeftOutTests"/> has the usual way.</summary>
+/// <summary>
+/// Landblocks whose records promise what is not there: loaded strictly each is refused, naming the culprit. <see cref="LeftOutTests"/> has
+/// the usual way.
+/// </summary>
 public sealed class HostileWorldTests
 {
-    internal const uint Block = 0xA9B4FFFF, Info = 0xA9B4FFFE, Room = 0xA9B40100, Shapes = 0x0D000001, Mesh = 0x01000001, Thing = 0x02000001;
+    internal const uint Block =
+        0xA9B4FFFF, Info = 0xA9B4FFFE, Room = 0xA9B40100, Shapes = 0x0D000001, Mesh = 0x01000001, Thing = 0x02000001;
 
     [Fact]
     [Behaviour("world.hostile.none", "spec/05, 4.7")]
@@ -27,11 +31,13 @@ public sealed class HostileWorldTests
 
     [Fact]
     [Behaviour("world.strict.missing-info", "spec/05, 4.7")]
-    public void Strict_loading_names_a_promised_info_record_that_is_missing() => Fails<DatRecordMissingException>(new Records { [Info] = null }, Info);
+    public void Strict_loading_names_a_promised_info_record_that_is_missing() =>
+        Fails<DatRecordMissingException>(new Records { [Info] = null }, Info);
 
     [Fact]
     [Behaviour("world.strict.missing-room", "spec/07, 7.13")]
-    public void Strict_loading_names_a_promised_room_that_is_missing() => Fails<DatRecordMissingException>(new Records { [Room] = null }, Room);
+    public void Strict_loading_names_a_promised_room_that_is_missing() =>
+        Fails<DatRecordMissingException>(new Records { [Room] = null }, Room);
 
     [Fact]
     [Behaviour("world.strict.room-count", "spec/07, 7.13")]
@@ -40,7 +46,8 @@ public sealed class HostileWorldTests
 
     [Fact]
     [Behaviour("world.strict.missing-environment", "spec/07, 9.1; spec/05, 7.5")]
-    public void Strict_loading_names_the_environment_that_a_room_lacks() => Fails<DatRecordMissingException>(new Records { [Shapes] = null }, Shapes);
+    public void Strict_loading_names_the_environment_that_a_room_lacks() =>
+        Fails<DatRecordMissingException>(new Records { [Shapes] = null }, Shapes);
 
     [Fact]
     [Behaviour("world.strict.missing-structure", "spec/07, 9.1; spec/05, 7.5")]
@@ -71,7 +78,8 @@ public sealed class HostileWorldTests
                 Buildings =
                 [
                     new Building(0x02000099, At(0, 30).Frame, 0, []),
-                    new Building(Thing, At(0, 30).Frame, 0, [new BuildingPortal(PortalFlags.None, 0x777, 3, []), new BuildingPortal(PortalFlags.None, 0x100, 0xFFFF, [])]),
+                    new Building(Thing, At(0, 30).Frame, 0,
+                        [new BuildingPortal(PortalFlags.None, 0x777, 3, []), new BuildingPortal(PortalFlags.None, 0x100, 0xFFFF, [])]),
                     new Building(Thing, At(0, 31).Frame, 0, []),
                 ],
             },

@@ -7,7 +7,8 @@ namespace Surefoot.Physics.Tests.World;
 
 public sealed class LoadingTests(FirstWorld files) : IClassFixture<FirstWorld>
 {
-    private static readonly uint[] Town = [0xA8B30000, 0xA8B40000, 0xA8B50000, 0xA9B30000, 0xA9B40000, 0xA9B50000, 0xAAB30000, 0xAAB40000, 0xAAB50000];
+    private static readonly uint[] Town = [
+        0xA8B30000, 0xA8B40000, 0xA8B50000, 0xA9B30000, 0xA9B40000, 0xA9B50000, 0xAAB30000, 0xAAB40000, 0xAAB50000];
 
     [Fact]
     [Behaviour("world.loading.blocks", "spec/05, 4.7; spec/07, 7.12")]
@@ -110,7 +111,9 @@ public sealed class LoadingTests(FirstWorld files) : IClassFixture<FirstWorld>
         {
             text.Append(FormattableString.Invariant($"{cell.Id:X8}:"));
             foreach (WorldObject item in Listed(cell))
-                text.Append(FormattableString.Invariant($" {item.Setup!.Id:X}@{item.Position.CellId:X8}{item.Position.Frame.Origin}x{item.Scale}/{item.ShadowCount}"));
+                text.Append(
+                    FormattableString.Invariant(
+                        $" {item.Setup!.Id:X}@{item.Position.CellId:X8}{item.Position.Frame.Origin}x{item.Scale}/{item.ShadowCount}"));
             text.AppendLine();
         }
 

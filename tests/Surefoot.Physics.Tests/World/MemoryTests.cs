@@ -18,7 +18,8 @@ public sealed class MemoryTests(FirstWorld files) : IClassFixture<FirstWorld>
             long before = GC.GetTotalMemory(true);
             world.LoadLandblock(id);
             long retained = GC.GetTotalMemory(true) - before;
-            Assert.True(retained < 64 * 1024, $"block {id:X8} with {world.FindLandblock(id)!.StaticObjects.Count} objects retains {retained} bytes");
+            Assert.True(retained < 64 * 1024,
+                $"block {id:X8} with {world.FindLandblock(id)!.StaticObjects.Count} objects retains {retained} bytes");
         }
     }
 }

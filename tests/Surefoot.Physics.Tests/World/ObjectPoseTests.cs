@@ -26,7 +26,9 @@ public class ObjectPoseTests
 
     private static readonly Vector3 Place = new(84, 84, 5);
 
-    [Fact, Behaviour("object.pose.resting", "spec/06, 3: every object is made with placement 0x65, so with placement 0 only if its setup has no 0x65")]
+    [Fact]
+    [Behaviour("object.pose.resting",
+        "spec/06, 3: every object is made with placement 0x65, so with placement 0 only if its setup has no 0x65")]
     public void Everything_lies_as_resting_things_do_where_its_setup_says_how()
     {
         SetupAsset both = Setup((0, 1), (SetupAsset.Resting, 3), (Hook, 5)), one = Setup((0, 1), (Hook, 5));
@@ -41,7 +43,9 @@ public class ObjectPoseTests
         Assert.Equal(TransitionState.OK, shell.FindBuildingCollisions(MoverAt(Place + new Vector3(1, 0, 0)).Transition));
     }
 
-    [Fact, Behaviour("object.pose.placement-of-a-body", "spec/06, 3: the placement of a server's description; absent is 0, absent too moves nothing")]
+    [Fact]
+    [Behaviour("object.pose.placement-of-a-body",
+        "spec/06, 3: the placement of a server's description; absent is 0, absent too moves nothing")]
     public void A_body_takes_the_placement_it_is_given()
     {
         PhysicsBody body = Body(Setup((0, 1), (SetupAsset.Resting, 3), (Hook, 5)));
@@ -83,7 +87,9 @@ public class ObjectPoseTests
     [InlineData(PhysicsState.Static | PhysicsState.Ethereal | PhysicsState.Gravity, null)]
     public void A_state_word_with_contradictory_bits_is_listed_and_leaves_the_body_as_it_lies(PhysicsState word, string? reason)
     {
-        PhysicsBody body = Body(new SetupAsset { Id = 0x02000001, Parts = [new SetupPart(new GfxObjAsset(), Vector3.One)] }.With(SetupAsset.Resting, [Records.FrameAt(new(3, 0, 0))]));
+        PhysicsBody body = Body(
+            new SetupAsset { Id = 0x02000001, Parts = [new SetupPart(new GfxObjAsset(), Vector3.One)] }.With(
+                SetupAsset.Resting, [Records.FrameAt(new(3, 0, 0))]));
         body.SetState(word);
         Assert.Equal((word, 3f), (body.State, PartAt(body)));
         Assert.Equal(reason is null ? [] : [reason], body.Population.Cells.LeftOut.Select(item => item.Reason));
@@ -97,7 +103,9 @@ public class ObjectPoseTests
         body.SetHeading(90);
         // Facing east, its right side is in the south.
         Assert.Equal(0, (body.PartFrame(0).Origin - (Place + new Vector3(0, -3, 0))).Length(), 1e-5);
-        body.Seat(new BodySeat(new Position(StubWorld.CellId, Place + new Vector3(0, 9, 0)), Vector3.Zero, TransientState.None, default, 0, Vector3.Zero));
+        body.Seat(
+            new BodySeat(new Position(StubWorld.CellId, Place + new Vector3(0, 9, 0)), Vector3.Zero, TransientState.None, default, 0,
+                Vector3.Zero));
         Assert.Equal(Place + new Vector3(3, 9, 0), body.PartFrame(0).Origin);
     }
 
@@ -112,7 +120,9 @@ public class ObjectPoseTests
         Assert.False(Hits(tree, Place + new Vector3(6, 0, 0)));
     }
 
-    [Fact, Behaviour("object.pose.scaled-scenery.cells", "spec/05, 4.8 f and 4.17: the cells work from the unscaled places, whatever is loaded later")]
+    [Fact]
+    [Behaviour("object.pose.scaled-scenery.cells",
+        "spec/05, 4.8 f and 4.17: the cells work from the unscaled places, whatever is loaded later")]
     public void The_cells_of_scaled_scenery_are_those_of_its_unscaled_places()
     {
         PhysicsWorld world = CellListTests.Flat(0xA9B40000);
@@ -131,7 +141,9 @@ public class ObjectPoseTests
         Assert.True(Static(Setup((0, 0))).State.HasFlag(PhysicsState.HasPhysicsBsp));
     }
 
-    [Fact, Behaviour("body.state.shape-bit-of-the-server", "spec/02, 2.2 and 4.21 step 7: a server's word decides between parts and cylinders or spheres")]
+    [Fact]
+    [Behaviour("body.state.shape-bit-of-the-server",
+        "spec/02, 2.2 and 4.21 step 7: a server's word decides between parts and cylinders or spheres")]
     public void Afterwards_the_last_state_word_says_which_shapes_count()
     {
         Sphere ball = new(new Vector3(8, 0, 0), 0.5f);
@@ -144,7 +156,8 @@ public class ObjectPoseTests
         Assert.Equal((true, false), (Hits(body, Place + Vector3.UnitX), Hits(body, Place + ball.Center)));
 
         // With the bit and without a tree nothing is left to be hit.
-        PhysicsBody bare = Body(new SetupAsset { Parts = [new SetupPart(new GfxObjAsset(), Vector3.One)], Spheres = [ball] }.With(0, [Frame.Identity]));
+        PhysicsBody bare =
+            Body(new SetupAsset { Parts = [new SetupPart(new GfxObjAsset(), Vector3.One)], Spheres = [ball] }.With(0, [Frame.Identity]));
         Assert.True(Hits(bare, Place + ball.Center));
         bare.SetState(PhysicsState.Default | PhysicsState.HasPhysicsBsp);
         Assert.False(Hits(bare, Place + ball.Center));
@@ -202,7 +215,8 @@ public class ObjectPoseTests
     /// <summary>How far east of the object its part is.</summary>
     private static float PartAt(WorldObject item) => item.PartFrame(0).Origin.X - Place.X;
 
-    private static Mover MoverAt(Vector3 center) => new Mover(MoverFlags.None, center, center, 0.1f).With(p => p.InsertType = InsertType.Placement);
+    private static Mover MoverAt(Vector3 center) =>
+        new Mover(MoverFlags.None, center, center, 0.1f).With(p => p.InsertType = InsertType.Placement);
 
     private static bool Hits(WorldObject item, Vector3 center) => item.FindObjCollisions(MoverAt(center).Transition) != TransitionState.OK;
 }

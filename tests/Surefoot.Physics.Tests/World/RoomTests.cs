@@ -76,7 +76,8 @@ public sealed class RoomTests
     public void A_room_tells_how_much_of_a_sphere_is_inside(float x, object overlap)
     {
         EnvCell hall = (EnvCell)Rooms().GetVisible(Hall)!;
-        Assert.Equal(overlap, (object)hall.Shape.Cell.SphereIntersects(new Sphere(hall.Position.Frame.GlobalToLocal(new Vector3(x, 84, 23)), 0.48f)));
+        Assert.Equal(overlap,
+            (object)hall.Shape.Cell.SphereIntersects(new Sphere(hall.Position.Frame.GlobalToLocal(new Vector3(x, 84, 23)), 0.48f)));
     }
 
     [Fact]
@@ -149,7 +150,8 @@ public sealed class RoomTests
         Sphere at = CellListTests.Spheres(origin, 0)[0];
         PartExtent[] parts =
         [
-            new(new Position(start, at.Center), new BoundingBox(new Vector3(-1, -1, 0), new Vector3(1, 1, 2)), new Sphere(new Vector3(0, 0, 1), 1.8f), true, false),
+            new(new Position(start, at.Center), new BoundingBox(new Vector3(-1, -1, 0), new Vector3(1, 1, 2)),
+                new Sphere(new Vector3(0, 0, 1), 1.8f), true, false),
         ];
         CellArray array = new();
         array.Add(start, world.GetVisible(start));
@@ -158,7 +160,8 @@ public sealed class RoomTests
     }
 
     [Theory]
-    [Behaviour("world.rooms.over-the-border", "spec/05, 4.14: spheres are taken as they come, without any offset between blocks; parts are not")]
+    [Behaviour("world.rooms.over-the-border",
+        "spec/05, 4.14: spheres are taken as they come, without any offset between blocks; parts are not")]
     [InlineData(0xA9B4003Du, 191.9f, "A9B4003D AAB40005", 0xA9B4003Du)]
     [InlineData(0xAAB40005u, -0.1f, "A9B4003D AAB40005 AAB40100", 0xAAB40100u)]
     public void A_room_of_the_next_block_is_entered_from_its_own_coordinates_only(uint id, float x, string cells, uint home)
@@ -175,7 +178,9 @@ public sealed class RoomTests
             Portals = [new PortalPlane(new Plane(-1, 0, 0, -5), true, PortalPlane.Outdoors, 0)],
         })]);
         LandCell cell = (LandCell)east.Find(outside)!;
-        east.AddBuilding(cell, new BuildingObject(new StaticObject(new SetupAsset(), new Position(outside, new Vector3(3, 100, 20)), 0, cell, 1), [new(inside, 0)]));
+        east.AddBuilding(
+            cell, new BuildingObject(new StaticObject(new SetupAsset(), new Position(outside, new Vector3(3, 100, 20)), 0, cell, 1),
+                [new(inside, 0)]));
         world.Add(east);
 
         CellArray array = new();
@@ -185,7 +190,8 @@ public sealed class RoomTests
         Assert.Equal(cells, CellListTests.Ids(array));
         Assert.Equal(home, found?.Id);
 
-        PartExtent[] parts = [new(new Position(id, at), new BoundingBox(new Vector3(-0.5f), new Vector3(0.5f)), new Sphere(Vector3.Zero, 1), true, false)];
+        PartExtent[] parts =
+            [new(new Position(id, at), new BoundingBox(new Vector3(-0.5f), new Vector3(0.5f)), new Sphere(Vector3.Zero, 1), true, false)];
         array.Clear();
         array.Add(outside, cell);
         for (int k = 0; k < array.Count; k++) array[k].Cell?.FindTransitCells(world, parts, array);
@@ -193,11 +199,13 @@ public sealed class RoomTests
     }
 
     [Fact]
-    [Behaviour("world.rooms.statics-pruned", "spec/05, 4.15, 4.17: a static of cylinders gets no shadow outdoors through a doorway, one of boxes does")]
+    [Behaviour("world.rooms.statics-pruned",
+        "spec/05, 4.15, 4.17: a static of cylinders gets no shadow outdoors through a doorway, one of boxes does")]
     public void A_static_of_cylinders_stays_inside_and_one_of_boxes_reaches_out()
     {
         PhysicsWorld world = Rooms();
-        GfxObjAsset mesh = new() { BoundingBox = new BoundingBox(new Vector3(-1), new Vector3(1)), DrawingSphere = new Sphere(Vector3.Zero, 1.8f) };
+        GfxObjAsset mesh =
+            new() { BoundingBox = new BoundingBox(new Vector3(-1), new Vector3(1)), DrawingSphere = new Sphere(Vector3.Zero, 1.8f) };
         SetupAsset boxes = new SetupAsset { Parts = [new SetupPart(mesh, Vector3.One)] }.With(0, [Frame.Identity]);
         SetupAsset cylinders = new() { Cylinders = [new CylSphere(Vector3.Zero, 0.48f, 1)] };
         Assert.Equal("A9B40100", Listed(world, cylinders, new Vector3(60, 79.3f, 20.5f), isStatic: true));
@@ -229,7 +237,8 @@ public sealed class RoomTests
     {
         PhysicsWorld world = new();
         Landblock block = new(Ground.Flat(0xA9B40000, 20));
-        PortalPlane toBack = new(new Plane(1, 0, 0, -5), true, Back, 0), toYard = new(new Plane(0, -1, 0, -5), true, PortalPlane.Outdoors, 0);
+        PortalPlane toBack = new(new Plane(1, 0, 0, -5), true, Back, 0),
+            toYard = new(new Plane(0, -1, 0, -5), true, PortalPlane.Outdoors, 0);
         PortalPlane toHall = new(new Plane(-1, 0, 0, -5), true, Hall, 0);
         block.SetRooms([Room(Hall, 60, [toBack, toYard], [Back], true), Room(Back, 70, [toHall], [Hall], false)]);
         LandCell cell = (LandCell)block.Find(Yard)!;
@@ -267,7 +276,8 @@ public sealed class RoomTests
         [
             .. planes.Select((plane, i) => new BspNode
             {
-                Tag = i < planes.Length - 1 ? BspTag.BPnn : BspTag.Bpnn, Plane = plane, Positive = i < planes.Length - 1 ? i + 1 : BspNode.None,
+                Tag = i < planes.Length - 1 ? BspTag.BPnn : BspTag.Bpnn, Plane = plane,
+                Positive = i < planes.Length - 1 ? i + 1 : BspNode.None,
             }),
         ];
         CellStruct structure = new() { CellTree = new BspTree { Nodes = nodes }, PhysicsTree = BspTree.OfLeaf(new BspNode()) };

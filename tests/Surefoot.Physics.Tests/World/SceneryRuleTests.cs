@@ -5,8 +5,9 @@ using StaticObject = Surefoot.Physics.World.StaticObject;
 namespace Surefoot.Physics.Tests.World;
 
 /// <summary>
-/// The rules of specification 05, 4.8, one by one, on a block where one vertex is wooded. Mostly vertex (3, 4) of A9B4, global (1355, 1444): by 6.10 its numbers for
-/// object 0 are frequency .897205804, X .637407001, Y .937552771, quadrant .969455623 (so the object goes to (Y, −X)), rotation .429462582, scale .689885244.
+/// The rules of specification 05, 4.8, one by one, on a block where one vertex is wooded. Mostly vertex (3, 4) of A9B4, global (1355,
+/// 1444): by 6.10 its numbers for object 0 are frequency .897205804, X .637407001, Y .937552771, quadrant .969455623 (so the object goes to
+/// (Y, −X)), rotation .429462582, scale .689885244.
 /// </summary>
 public sealed class SceneryRuleTests
 {
@@ -16,7 +17,8 @@ public sealed class SceneryRuleTests
     [Behaviour("world.scenery.place", "spec/05, 4.8, 6.10: displacement, quadrant, rotation")]
     public void A_tree_is_displaced_and_turned_by_the_numbers_of_its_vertex()
     {
-        StaticObject tree = Assert.Single(Grow(Always with { DisplaceX = 10, DisplaceY = 10, MaxRotation = 360, MinScale = 1.5f, MaxScale = 1.5f }));
+        StaticObject tree =
+            Assert.Single(Grow(Always with { DisplaceX = 10, DisplaceY = 10, MaxRotation = 360, MinScale = 1.5f, MaxScale = 1.5f }));
         Near(new Vector3(72 + 9.37552771f, 96 - 6.37407001f, 0), tree);
         Assert.Equal(0.429462582 * 360, tree.Position.Frame.Heading, 1e-3);
         Assert.Equal(0xA9B4001Cu, tree.Position.CellId);
@@ -62,7 +64,8 @@ public sealed class SceneryRuleTests
         grows ? 1 : 0,
         Grow(
             Always with { DisplaceX = 10, DisplaceY = 10 },
-            new WorldRecords().Ground((i, j) => Wood(i, j) | (i is 3 or 4 && j is 3 or 4 && corners[(2 * (i - 3)) + j - 3] == '1' ? 1 : 0))).Length);
+            new WorldRecords()
+                .Ground((i, j) => Wood(i, j) | (i is 3 or 4 && j is 3 or 4 && corners[(2 * (i - 3)) + j - 3] == '1' ? 1 : 0))).Length);
 
     [Theory]
     [Behaviour("world.scenery.slopes", "spec/05, 4.8, 3d: both limits are allowed")]
@@ -73,7 +76,9 @@ public sealed class SceneryRuleTests
     [InlineData(6, 0f, 0.97f, false)]
     public void Ground_must_be_as_steep_as_the_tree_likes_it(int rise, float least, float most, bool grows) => Assert.Equal(
         grows ? 1 : 0,
-        Grow(Always with { BaseFrame = WorldRecords.At(2, 3), MinSlope = least, MaxSlope = most }, new WorldRecords().Ground(Wood, (i, _) => rise * i)).Length);
+        Grow(
+            Always with { BaseFrame = WorldRecords.At(2, 3), MinSlope = least, MaxSlope = most },
+            new WorldRecords().Ground(Wood, (i, _) => rise * i)).Length);
 
     [Fact]
     [Behaviour("world.scenery.aligned", "spec/05, 4.8, 3e: the heading is that of the ground's normal turned round, whatever the rotation")]
@@ -84,7 +89,9 @@ public sealed class SceneryRuleTests
         // The normal of ground that rises 6 m in 24 m to the east is (−.2425, 0, .9701).
         Assert.Equal(90, tree.Position.Frame.Heading, 1e-3);
         Near(new Vector3(81.3755277f, 89.62593f, 81.3755277f / 4), tree);
-        Assert.Equal(0, Assert.Single(Grow(Always with { MaxRotation = 360, Align = 1, BaseFrame = WorldRecords.At(2, 3) })).Position.Frame.Heading, 1e-4);
+        Assert.Equal(
+            0, Assert.Single(Grow(Always with { MaxRotation = 360, Align = 1, BaseFrame = WorldRecords.At(2, 3) })).Position.Frame.Heading,
+            1e-4);
     }
 
     [Theory]
@@ -101,7 +108,8 @@ public sealed class SceneryRuleTests
     }
 
     [Theory]
-    [Behaviour("world.scenery.within-block", "spec/05, 4.8, 3f, obj_within_block: cylinders by their own radius, spheres by the sorting sphere, others by the origin")]
+    [Behaviour("world.scenery.within-block",
+        "spec/05, 4.8, 3f, obj_within_block: cylinders by their own radius, spheres by the sorting sphere, others by the origin")]
     [InlineData("cylinder", 81.3f, true)]
     [InlineData("cylinder", 81.4f, false)]
     [InlineData("spheres", 81.3f, true)]
@@ -121,7 +129,8 @@ public sealed class SceneryRuleTests
     }
 
     [Fact]
-    [Behaviour("world.scenery.ninth-column", "spec/05, 4.8, 6.10: (1360, 1447), object 2: frequency .070452728, Y .272412302, quadrant .981127624")]
+    [Behaviour("world.scenery.ninth-column",
+        "spec/05, 4.8, 6.10: (1360, 1447), object 2: frequency .070452728, Y .272412302, quadrant .981127624")]
     public void The_far_border_grows_what_is_displaced_into_the_block()
     {
         SceneObject never = Always with { Frequency = 0 };
@@ -140,7 +149,8 @@ public sealed class SceneryRuleTests
     [InlineData(100, 7)]
     public void One_of_the_scenes_of_the_ground_is_drawn(int count, int drawn)
     {
-        WorldRecords records = new WorldRecords { Scenes = [.. Enumerable.Range(0, count).Select(k => k == drawn ? WorldRecords.Scene : 0)] }.Ground(Wood);
+        WorldRecords records =
+            new WorldRecords { Scenes = [.. Enumerable.Range(0, count).Select(k => k == drawn ? WorldRecords.Scene : 0)] }.Ground(Wood);
         Assert.Single(Grow(Always, records));
     }
 
@@ -168,7 +178,8 @@ public sealed class SceneryRuleTests
 
     private static int Wood(int i, int j) => (i, j) == (3, 4) ? WorldRecords.Wooded : 0;
 
-    private static StaticObject[] Grow(SceneObject thing, WorldRecords? records = null, Setup? setup = null) => Grow([thing], records, setup);
+    private static StaticObject[] Grow(SceneObject thing, WorldRecords? records = null, Setup? setup = null) =>
+        Grow([thing], records, setup);
 
     private static StaticObject[] Grow(SceneObject[] things, WorldRecords? records = null, Setup? setup = null) =>
         [.. (records ?? new WorldRecords().Ground(Wood))

@@ -67,7 +67,8 @@ public sealed class SceneryTests(FirstWorld files) : IClassFixture<FirstWorld>
 
     private IEnumerable<StaticObject> SceneryOf(Landblock block)
     {
-        bool hasInfo = Surefoot.Dats.DatSourceExtensions.TryRead(files.Source, block.Id | 0xFFFE, out Surefoot.Dats.Records.LandBlockInfo? info);
+        bool hasInfo = Surefoot.Dats.DatSourceExtensions.TryRead(files.Source, block.Id | 0xFFFE,
+            out Surefoot.Dats.Records.LandBlockInfo? info);
         int placed = hasInfo ? info!.Objects.Length : 0;
         return block.StaticObjects.Skip(placed).Where(o => CellIds.IsOutdoor(o.Position.CellId));
     }

@@ -6,7 +6,10 @@ using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Tests.World;
 
-/// <summary>In which cells an object is listed, by its shape: specification 06, 5, and 05, 4.15 and 4.17. The cell A9B4001C is x and y from 72 to 96.</summary>
+/// <summary>
+/// In which cells an object is listed, by its shape: specification 06, 5, and 05, 4.15 and 4.17. The cell A9B4001C is x and y from 72 to
+/// 96.
+/// </summary>
 public sealed class ShadowFormTests
 {
     private const uint Id = 0xA9B4001C;
@@ -19,8 +22,10 @@ public sealed class ShadowFormTests
     [InlineData(10, 4f, 0.5f, 3f, "A9B4001C")]
     public void Cylinders_are_spheres_about_their_low_points(int last, float x, float radius, float scale, string cells)
     {
-        CylSphere[] cylinders = [.. Enumerable.Repeat(new CylSphere(Vector3.Zero, 0.1f, 50), last - 1), new CylSphere(new Vector3(x, 0, 0), radius, 50)];
-        SetupAsset setup = new SetupAsset { Cylinders = cylinders, Parts = [Part(30)], SortingSphere = new Sphere(Vector3.Zero, 20) }.With(0, [Frame.Identity]);
+        CylSphere[] cylinders = [.. Enumerable.Repeat(new CylSphere(Vector3.Zero, 0.1f, 50), last - 1),
+            new CylSphere(new Vector3(x, 0, 0), radius, 50)];
+        SetupAsset setup = new SetupAsset { Cylinders = cylinders, Parts = [Part(30)], SortingSphere = new Sphere(Vector3.Zero, 20) }
+            .With(0, [Frame.Identity]);
         Assert.Equal(cells, Cells(setup, new Vector3(84, 84, 0), scale, isStatic: true));
         Assert.Equal(cells, Cells(setup, new Vector3(84, 84, 0), scale, isStatic: false));
     }
@@ -36,7 +41,8 @@ public sealed class ShadowFormTests
             SortingSphere = new Sphere(new Vector3(10, 0, 0), 2.5f),
         }.With(0, [Frame.Identity]);
         Assert.Equal(
-            "A9B4001C A9B40013 A9B40014 A9B40015 A9B4001B A9B4001D A9B40023 A9B40024 A9B40025", Cells(setup, new Vector3(84, 84, 0), 1, isStatic: true));
+            "A9B4001C A9B40013 A9B40014 A9B40015 A9B4001B A9B4001D A9B40023 A9B40024 A9B40025",
+            Cells(setup, new Vector3(84, 84, 0), 1, isStatic: true));
         Assert.Equal("A9B4001C A9B40024", Cells(setup, new Vector3(84, 84, 0), 1, isStatic: false));
         // The scale moves neither the sorting sphere nor the box.
         Assert.Equal("A9B4001C A9B40024", Cells(setup, new Vector3(84, 84, 0), 0.5f, isStatic: false));
@@ -49,7 +55,11 @@ public sealed class ShadowFormTests
     public void An_object_with_a_collision_tree_is_listed_by_its_boxes(bool isStatic)
     {
         GfxObjAsset slab = new PhysicsDataCache(new MemorySource().Add(Records.Slab())).GetGfxObj(Records.SlabId);
-        SetupAsset setup = new SetupAsset { Cylinders = [new CylSphere(Vector3.Zero, 20, 1)], Parts = [new SetupPart(slab, new Vector3(20))] }.With(0, [Frame.Identity]);
+        SetupAsset setup = new SetupAsset
+        {
+            Cylinders = [new CylSphere(Vector3.Zero, 20, 1)],
+            Parts = [new SetupPart(slab, new Vector3(20))],
+        }.With(0, [Frame.Identity]);
         Assert.Equal("A9B4001C", Cells(setup, new Vector3(94.5f, 84, 0), 1, isStatic));
         Assert.Equal("A9B4001C A9B40024", Cells(setup, new Vector3(95.5f, 84, 0), 1, isStatic));
     }
@@ -58,7 +68,12 @@ public sealed class ShadowFormTests
     [Behaviour("world.shadows.pictures", "spec/05, 4.10, Always2D: the box is the part's origin and the radius of its sphere")]
     public void A_picture_is_listed_by_its_sphere()
     {
-        GfxObjAsset mesh = new() { BoundingBox = new BoundingBox(new Vector3(-30), new Vector3(30)), Always2D = true, DrawingSphere = new Sphere(new Vector3(40, 0, 0), 5) };
+        GfxObjAsset mesh = new()
+        {
+            BoundingBox = new BoundingBox(new Vector3(-30), new Vector3(30)),
+            Always2D = true,
+            DrawingSphere = new Sphere(new Vector3(40, 0, 0), 5),
+        };
         SetupAsset setup = new SetupAsset { Parts = [new SetupPart(mesh, Vector3.One)] }.With(0, [Frame.Identity]);
         Assert.Equal("A9B4001C A9B40024", Cells(setup, new Vector3(92, 84, 0), 1, isStatic: true));
     }
@@ -75,7 +90,8 @@ public sealed class ShadowFormTests
         Assert.Equal("A9B4001C A9B4001B", Cells(setup, new Vector3(84, 84, 0), 1, isStatic: true, turn: 90));
     }
 
-    private static SetupPart Part(float reach) => new(new GfxObjAsset { BoundingBox = new BoundingBox(new Vector3(-reach), new Vector3(reach)) }, Vector3.One);
+    private static SetupPart Part(float reach) =>
+        new(new GfxObjAsset { BoundingBox = new BoundingBox(new Vector3(-reach), new Vector3(reach)) }, Vector3.One);
 
     private static string Cells(SetupAsset setup, Vector3 at, float scale, bool isStatic, float turn = 0)
     {

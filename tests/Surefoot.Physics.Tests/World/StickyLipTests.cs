@@ -83,7 +83,8 @@ public sealed class StickyLipTests
                 for (int quanta = (int)(40 * 4 / speed); quanta > 0 && place.Y < 1; quanta--)
                 {
                     place = Next(runner);
-                    Assert.True(runner.OnWalkable && place.Z > -1.5f, $"at {speed} m/s, phase {phase}, the runner is in the air at {place}");
+                    Assert.True(runner.OnWalkable && place.Z > -1.5f,
+                        $"at {speed} m/s, phase {phase}, the runner is in the air at {place}");
                 }
 
                 Assert.Equal(FloorZ, place.Z, 1e-3f);
@@ -129,7 +130,8 @@ public sealed class StickyLipTests
             new(Width, 12, FloorZ), new(-Width, 12, FloorZ)),
         PhysicsPolygons =
         [
-            new DatPolygon { Vertices = [0, 1, 2, 3] }, new DatPolygon { Vertices = [4, 5, 6, 7] }, new DatPolygon { Vertices = [7, 6, 8, 9] },
+            new DatPolygon { Vertices = [0, 1, 2, 3] }, new DatPolygon { Vertices = [4, 5, 6, 7] },
+            new DatPolygon { Vertices = [7, 6, 8, 9] },
         ],
         PhysicsTree = new BspTree { Nodes = [new BspNode { Sphere = new(new Vector3(0, 2, -3), 16), Polygons = [0, 1, 2] }] },
     };
@@ -138,7 +140,10 @@ public sealed class StickyLipTests
     private static float[] Responses(TraceBuffer trace, TransitionResponse response) =>
     [
         .. trace.Entries.ToArray()
-            .Where(e => e.Kind == TraceKind.Responded && e.Response == response && (e.Succeeded || response == TransitionResponse.PrecipiceSlide))
+            .Where(
+                e =>
+                    e.Kind == TraceKind.Responded && e.Response == response &&
+                        (e.Succeeded || response == TransitionResponse.PrecipiceSlide))
             .Select(e => e.Origin.Y - Origin.Y),
     ];
 }

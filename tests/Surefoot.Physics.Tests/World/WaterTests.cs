@@ -63,7 +63,8 @@ public sealed class WaterTests
     {
         TerrainSurface pond = Ground.Pond();
         Transition transition = Over(
-            Ground.Of(Land, (_, _) => 10, (i, j) => pond.WordOf(i, j)), new Vector3(50, 50, z), MoverFlags.OnWalkable | MoverFlags.Contact, PhysicsState.Default);
+            Ground.Of(Land, (_, _) => 10, (i, j) => pond.WordOf(i, j)), new Vector3(50, 50, z), MoverFlags.OnWalkable | MoverFlags.Contact,
+            PhysicsState.Default);
         Assert.Equal(answer, transition.Path.CheckCell!.FindCollisions(transition));
         Assert.Equal(rest, transition.Path.GlobalSpheres[0].Center.Z, 2e-6f);
         Assert.Equal(answer == TransitionState.Adjusted, transition.Collision.ContactPlaneValid);

@@ -16,7 +16,8 @@ public sealed class WorldPropertyTests(FirstWorld files) : IClassFixture<FirstWo
     [Behaviour("world.terrain.height.interpolates", "spec/05, 4.3, 4.4")]
     public void The_plane_under_a_point_passes_through_the_triangles_corners()
     {
-        Gen.Select(Height.Array[TerrainSurface.VertexCount], Gen.UInt[0, 254], Gen.UInt[0, 254], Gen.Float[0, 192], Gen.Float[0, 192]).Sample(
+        Gen.Select(Height.Array[TerrainSurface.VertexCount], Gen.UInt[0, 254], Gen.UInt[0, 254], Gen.Float[0, 192],
+            Gen.Float[0, 192]).Sample(
             (heights, column, row, x, y) =>
             {
                 TerrainSurface terrain = new((column << 24) | (row << 16), heights, new ushort[TerrainSurface.VertexCount]);
@@ -36,7 +37,8 @@ public sealed class WorldPropertyTests(FirstWorld files) : IClassFixture<FirstWo
     [Behaviour("world.borders.invisible", "spec/05, 4.15, 4.19")]
     public void A_walk_over_a_border_is_the_walk_over_the_same_ground_away_from_one()
     {
-        Gen.Select(Gen.Float[-0.25f, 0.25f], Gen.Float[-0.25f, 0.25f], Gen.Int[-3, 3], Gen.Int[-3, 3], Gen.Float[-6, 6], Gen.Float[-6, 6]).Sample(
+        Gen.Select(Gen.Float[-0.25f, 0.25f], Gen.Float[-0.25f, 0.25f], Gen.Int[-3, 3], Gen.Int[-3, 3], Gen.Float[-6, 6],
+            Gen.Float[-6, 6]).Sample(
             (east, north, slopeX, slopeY, x, y) =>
             {
                 Vector3[] away = Walk(Slope(slopeX, slopeY), new Vector3(96 + x, 96 + y, 0), new Vector3(east, north, 0));
@@ -51,7 +53,8 @@ public sealed class WorldPropertyTests(FirstWorld files) : IClassFixture<FirstWo
     public void Shadows_after_any_history_are_those_computed_afresh()
     {
         uint[] blocks = [0xA9B40000, 0xA9B50000, 0xA8B40000, FirstWorld.DungeonBlock];
-        Gen<Deed> deed = Gen.Select(Gen.Int[0, 7], Gen.Int[0, 5], Gen.Float[-8, 8], Gen.Float[-8, 8]).Select((what, who, x, y) => new Deed(what, who, x, y));
+        Gen<Deed> deed = Gen.Select(Gen.Int[0, 7], Gen.Int[0, 5], Gen.Float[-8, 8],
+            Gen.Float[-8, 8]).Select((what, who, x, y) => new Deed(what, who, x, y));
         deed.List[1, 40].Sample(
             deeds =>
             {

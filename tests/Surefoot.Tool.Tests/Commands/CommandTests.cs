@@ -130,7 +130,8 @@ public class CommandTests
         JsonElement[] samples = [.. walk.RootElement.GetProperty("samples").EnumerateArray()];
         JsonElement first = samples.First(s => s.GetProperty("time").GetDouble() >= 1), last = samples[^1];
         double seconds = last.GetProperty("time").GetDouble() - first.GetProperty("time").GetDouble();
-        double metres = samples.SkipWhile(s => s.GetProperty("time").GetDouble() <= first.GetProperty("time").GetDouble()).Sum(s => s.GetProperty("speed").GetDouble()) * seconds /
+        double metres = samples.SkipWhile(s => s.GetProperty("time").GetDouble() <= first.GetProperty("time").GetDouble())
+            .Sum(s => s.GetProperty("speed").GetDouble()) * seconds /
                         samples.Count(s => s.GetProperty("time").GetDouble() > first.GetProperty("time").GetDouble());
         Assert.InRange(metres / seconds, 10.6 * 0.98, 10.6 * 1.02);
     }
@@ -168,7 +169,9 @@ public class CommandTests
     public async Task A_table_without_a_terminal_has_a_row_a_line_unless_a_width_is_asked_for()
     {
         CommandLine.Outcome piped = await CommandLine.RunAsync(columns: null, "walk", "--at", "meadow", "--script", "W 1");
-        Assert.Contains(piped.Output.Split('\n'), line => line.Contains("ground", StringComparison.Ordinal) && line.Contains("A9B5", StringComparison.Ordinal));
+        Assert.Contains(
+            piped.Output.Split('\n'),
+            line => line.Contains("ground", StringComparison.Ordinal) && line.Contains("A9B5", StringComparison.Ordinal));
         CommandLine.Outcome narrow = await CommandLine.RunAsync(columns: 40, "walk", "--at", "meadow", "--script", "W 1");
         string[] rows = narrow.Output.Split('\n')[..^6];
         Assert.All(rows.TakeWhile(line => !line.Contains(" s  ", StringComparison.Ordinal)), line => Assert.True(line.Length <= 40, line));
@@ -184,7 +187,8 @@ public class CommandTests
         foreach (JsonElement place in list.RootElement.GetProperty("places").EnumerateArray())
         {
             string name = place.GetProperty("name").GetString()!, cell = place.GetProperty("cell").GetString()!;
-            WalkResult stand = WalkRunner.Run(scene, scene.FindPlace(name), new CharacterStats(), WalkScript.Parse("Wait 0.1"), "Wait 0.1", 0);
+            WalkResult stand = WalkRunner.Run(scene, scene.FindPlace(name), new CharacterStats(), WalkScript.Parse("Wait 0.1"), "Wait 0.1",
+                0);
             Assert.Equal($"{name} {cell}", $"{name} {stand.Samples[0].CellId:X8}");
             Assert.Equal(scene.FindPlace(name).Place, scene.FindPlace(place.GetProperty("title").GetString()!).Place);
         }

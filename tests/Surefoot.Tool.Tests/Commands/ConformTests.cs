@@ -154,7 +154,8 @@ public sealed class ConformTests : IDisposable
     [InlineData("""{"family":"sticky"}""", "not a recorded run")]
     [InlineData("""{"family":"swimming"}""", "swimming")]
     [InlineData("""{"family":"walk"}""", "not a recorded result")]
-    [InlineData("""{"id":"","scene":"","setup":"0200000100","placed":"","place":{"cell":"A9B40001","pos":[1,2,3],"yaw":0}}""", "eight digits")]
+    [InlineData(
+        """{"id":"","scene":"","setup":"0200000100","placed":"","place":{"cell":"A9B40001","pos":[1,2,3],"yaw":0}}""", "eight digits")]
     [InlineData("""{"id":"","scene":"","setup":"0200FFFF","placed":"","place":{"cell":"A9B40001","pos":[1,2,3],"yaw":0}}""", "0200FFFF")]
     [InlineData("""{"id":"","scene":"","setup":"02000001","placed":"","place":{"cell":"A9B40001","pos":[1,2],"yaw":0}}""", "3 numbers")]
     public async Task Vectors_that_cannot_be_read_are_one_line_that_names_the_file_and_the_line(string content, string hint)

@@ -52,8 +52,10 @@ internal sealed class Mutations
 {
     private static readonly string[] Words =
     [
-        "", " ", "--", "-1", "0", "1e30", "NaN", "99999999999", "0x", "0xA9B4FFFF,1,1,1", "0xFFFFFFFF,0,0,0", "0x01050100,0,0,0", "0xA9B40001,1e9,12,0", "0xA9B40001,NaN,0,0",
-        "0xA9B40001,,,", "meadow", "dungeon", "W", "W 1;", "W+ 1", ";;", "W -1", "W 1e400", "Space 0.1", "Ünïcode", "[red]", "{0}", "%s", "/dev/null", "--help", "--json",
+        "", " ", "--", "-1", "0", "1e30", "NaN", "99999999999", "0x", "0xA9B4FFFF,1,1,1", "0xFFFFFFFF,0,0,0", "0x01050100,0,0,0",
+        "0xA9B40001,1e9,12,0", "0xA9B40001,NaN,0,0",
+        "0xA9B40001,,,", "meadow", "dungeon", "W", "W 1;", "W+ 1", ";;", "W -1", "W 1e400", "Space 0.1", "Ünïcode", "[red]", "{0}", "%s",
+        "/dev/null", "--help", "--json",
     ];
 
     private const string Likeliest = "0123456789.-eE,:\"[]{}ABCDEF";
@@ -106,7 +108,10 @@ internal sealed class Mutations
 
     private string[] Arguments(Random random) => command switch
     {
-        "walk" => ["--script", random.Next(2) == 0 ? "W 0.2" : "W+Space 0.1; Wait 0.1", "--at", Place(random), "--dats", world, "--run", $"{random.Next(900)}"],
+        "walk" =>
+            [
+                "--script", random.Next(2) == 0 ? "W 0.2" : "W+Space 0.1; Wait 0.1", "--at", Place(random), "--dats", world, "--run",
+                $"{random.Next(900)}"],
         "play" => ["--dats", world],
         "dats list" => random.Next(2) == 0 ? [world] : [world, "--type", "Setup"],
         "dats show" => [world, $"{(uint)random.NextInt64(uint.MaxValue):X8}"],

@@ -35,7 +35,9 @@ internal static class LayerReader
         [.. assembly.GetTypes().Select(Of).Where(name => IsBelow(name, root)).Select(name => LayerOf(name, root)).Distinct()];
 
     private static IEnumerable<(TypeName User, TypeName Used)> Dependencies(Assembly assembly) =>
-        new ArchLoader().LoadAssembly(assembly).Build().Types.SelectMany(user => user.Dependencies, (user, dependency) => (Of(user), Of(dependency.Target)));
+        new ArchLoader()
+            .LoadAssembly(assembly)
+            .Build().Types.SelectMany(user => user.Dependencies, (user, dependency) => (Of(user), Of(dependency.Target)));
 
     /// <summary>What is caught, which the library does not tell.</summary>
     private static IEnumerable<(TypeName User, TypeName Used)> Catches(Assembly assembly) =>
@@ -51,7 +53,8 @@ internal static class LayerReader
 
     private static bool IsBelow(TypeName type, string root) => $"{type.Space}.".StartsWith($"{root}.", StringComparison.Ordinal);
 
-    private static string LayerOf(TypeName type, string root) => type.Space.Length == root.Length ? "" : type.Space[(root.Length + 1)..].Split('.')[0];
+    private static string LayerOf(TypeName type, string root) =>
+        type.Space.Length == root.Length ? "" : type.Space[(root.Length + 1)..].Split('.')[0];
 
     private static string NameOf(TypeName type) => type.Name[(type.Space.Length + 1)..].Split('+', '`')[0];
 

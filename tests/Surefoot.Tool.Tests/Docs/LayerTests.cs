@@ -5,18 +5,24 @@ using static Surefoot.Tool.Tests.Docs.LayerReader;
 
 namespace Surefoot.Tool.Tests.Docs;
 
-/// <summary>Who may use whom: between the assemblies, and between the folders of the physics. <c>docs/architecture.md</c> says the same in words.</summary>
+/// <summary>
+/// Who may use whom: between the assemblies, and between the folders of the physics. <c>docs/architecture.md</c> says the same in words.
+/// </summary>
 public partial class LayerTests
 {
     private const string Root = "Surefoot.Physics";
 
     /// <summary>
-    /// The folders of the physics, each of which uses only those before it. The namespace above them, where the engine is, uses all. A recording or a replay
-    /// watches bodies and what drives them, so <c>Tracing</c> comes last; what a sweep tells is a value of <c>Decisions</c>.
+    /// The folders of the physics, each of which uses only those before it. The namespace above them, where the engine is, uses all. A
+    /// recording or a replay watches bodies and what drives them, so <c>Tracing</c> comes last; what a sweep tells is a value of
+    /// <c>Decisions</c>.
     /// </summary>
-    private static readonly string[] Layers = ["Geometry", "Assets", "Decisions", "World", "Transitions", "Bodies", "Motion", "Steering", "Queries", "Tracing"];
+    private static readonly string[] Layers = [
+        "Geometry", "Assets", "Decisions", "World", "Transitions", "Bodies", "Motion", "Steering", "Queries", "Tracing"];
 
-    /// <summary>The one pair that knows each other: a cell is asked by a transition, and hands the question to the obstacle that answers for it.</summary>
+    /// <summary>
+    /// The one pair that knows each other: a cell is asked by a transition, and hands the question to the obstacle that answers for it.
+    /// </summary>
     private static readonly Use[] Pair =
     [
         new("World", "EnvCell", "Transitions", "RoomObstacle"),
@@ -69,7 +75,10 @@ public partial class LayerTests
             Assert.Equal(arrows.Order(), references.Order());
 
             Assembly built = Assembly.LoadFrom(Path.Combine(AppContext.BaseDirectory, $"{Path.GetFileName(name)}.dll"));
-            string[] used = [.. built.GetReferencedAssemblies().Select(used => used.Name!).Where(used => used.StartsWith("Surefoot", StringComparison.Ordinal))];
+            string[] used = [
+                .. built.GetReferencedAssemblies()
+                    .Select(used => used.Name!)
+                    .Where(used => used.StartsWith("Surefoot", StringComparison.Ordinal))];
             Assert.Empty(used.Except(Reach(name)));
         }
     }
@@ -77,7 +86,8 @@ public partial class LayerTests
     [Fact, Behaviour("docs.layers.reader-sees-every-use", "design.md, Assemblies")]
     public void A_use_is_seen_wherever_a_type_hides_it()
     {
-        string[] hiding = [.. typeof(Planted.Below.Attribute).Assembly.GetTypes().Where(IsPlanted).Select(type => type.Name.Split('`')[0]).Order()];
+        string[] hiding =
+            [.. typeof(Planted.Below.Attribute).Assembly.GetTypes().Where(IsPlanted).Select(type => type.Name.Split('`')[0]).Order()];
         Assert.InRange(hiding.Length, 30, 100);
         Use[] seen = Read(typeof(LayerTests).Assembly, "Surefoot.Tool.Tests.Planted");
         Assert.Equal(hiding, seen.Select(use => use.User).Distinct().Order());

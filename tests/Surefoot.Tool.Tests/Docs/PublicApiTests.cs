@@ -12,7 +12,8 @@ namespace Surefoot.Tool.Tests.Docs;
 /// <summary>Pins what the libraries offer to those who embed them, as <c>docs/api/*.txt</c>: a change of it is seen in review.</summary>
 public class PublicApiTests
 {
-    public static TheoryData<string> Libraries => ["Surefoot.Dats", "Surefoot.Physics", "Surefoot.Protocol", "Surefoot.Client", "Surefoot.Server", "Surefoot.DemoWorld", "Surefoot"];
+    public static TheoryData<string> Libraries =>
+        ["Surefoot.Dats", "Surefoot.Physics", "Surefoot.Protocol", "Surefoot.Client", "Surefoot.Server", "Surefoot.DemoWorld", "Surefoot"];
 
     [Theory, MemberData(nameof(Libraries)), Behaviour("docs.public-api.pinned", "style.md, House rules")]
     public void The_public_surface_is_the_one_on_record(string library)
@@ -27,7 +28,8 @@ public class PublicApiTests
         }
 
         string committed = File.Exists(path) ? File.ReadAllText(path).ReplaceLineEndings("\n") : "";
-        Assert.True(surface == committed, $"docs/api/{library}.txt is stale: run the tests once with SUREFOOT_UPDATE_DOCS=1 and look at what changed for users.");
+        Assert.True(surface == committed,
+            $"docs/api/{library}.txt is stale: run the tests once with SUREFOOT_UPDATE_DOCS=1 and look at what changed for users.");
     }
 
     private static Assembly LibraryOf(string name) => name switch

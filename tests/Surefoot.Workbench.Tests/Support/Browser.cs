@@ -19,10 +19,11 @@ public sealed class Browser : IAsyncLifetime
     /// <summary>Size of a page when nothing else is asked for, CSS pixels.</summary>
     internal const int Width = 960, Height = 540;
 
-    private readonly ConcurrentDictionary<(uint Player, uint Step), PlayerPose> published = new();
+    private readonly ConcurrentDictionary<(uint Player, uint Tick), PlayerPose> published = new();
     private static readonly string[] Arguments =
     [
-        "--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync",
+        "--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update",
+        "--disable-sync",
         "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
     ];
 
@@ -33,14 +34,14 @@ public sealed class Browser : IAsyncLifetime
     /// <summary>A workbench on the demo world, shared by the tests that change nothing about the server itself.</summary>
     internal WorkbenchServer Server => server!;
 
-    /// <summary>What the shared workbench said of its players, by player and step.</summary>
-    internal IReadOnlyDictionary<(uint Player, uint Step), PlayerPose> Published => published;
+    /// <summary>What the shared workbench said of its players, by player and tick.</summary>
+    internal IReadOnlyDictionary<(uint Player, uint Tick), PlayerPose> Published => published;
 
     public async ValueTask InitializeAsync()
     {
         if (!Array.Exists(Candidates, File.Exists)) return;
         server = await Worlds.StartAsync();
-        server.Loop.PosePublished = (player, step, pose) => published[(player, step)] = pose;
+        server.Loop.PosePublished = (player, tick, pose) => published[(player, tick)] = pose;
         playwright = await Playwright.CreateAsync();
         browser = await LaunchAsync();
     }
@@ -58,7 +59,12 @@ public sealed class Browser : IAsyncLifetime
     {
         SkipWithout(playwright);
         return await playwright!.Chromium.LaunchAsync(
-            new BrowserTypeLaunchOptions { ExecutablePath = Array.Find(Candidates, File.Exists), Headless = true, Args = [.. Arguments, .. more] });
+            new BrowserTypeLaunchOptions
+            {
+                ExecutablePath = Array.Find(Candidates, File.Exists),
+                Headless = true,
+                Args = [.. Arguments, .. more],
+            });
     }
 
     /// <summary>A tab on the shared workbench, when its player is drawn.</summary>
@@ -142,7 +148,8 @@ internal sealed class Tab : IAsyncDisposable
         await Page.Keyboard.PressAsync("Enter");
         uint cell = (uint)await Number($"window.surefoot.places.find((one) => one.name === {JsonSerializer.Serialize(place)}).cell");
         await Until(
-            $"window.surefoot.pose.cell >>> 16 === {cell >> 16} && window.surefoot.drawn?.teleports === window.surefoot.pose.teleports && window.surefoot.pose.teleports !== {before}",
+            $"window.surefoot.pose.cell >>> 16 === {cell >> 16} && " +
+            $"window.surefoot.drawn?.teleports === window.surefoot.pose.teleports && window.surefoot.pose.teleports !== {before}",
             $"the player is at {place}");
     }
 

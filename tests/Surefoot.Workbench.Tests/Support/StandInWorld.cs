@@ -5,7 +5,9 @@ using Surefoot.Workbench.Wire;
 
 namespace Surefoot.Workbench.Tests.Support;
 
-/// <summary>A world of one rule each, for tests of what carries it: level ground at 20 m, steps of at least 1/30 s, the formulas' speeds at once.</summary>
+/// <summary>
+/// A world of one rule each, for tests of what carries it: level ground at 20 m, ticks of at least 1/30 s, the formulas' speeds at once.
+/// </summary>
 internal sealed class StandInWorld : IWorkbenchWorld
 {
     public const float Ground = 20f;
@@ -64,14 +66,16 @@ internal sealed class StandInWorld : IWorkbenchWorld
         float quantum = (float)(now - last);
         if (quantum < WireLimits.MinQuantum) return false;
         last = now;
-        foreach (StandInPlayer player in players) player.Step(quantum, now);
+        foreach (StandInPlayer player in players) player.Advance(quantum, now);
         return true;
     }
 
     public void Look(IWorkbenchPlayer player, List<BodyPose> near)
     {
         near.Clear();
-        near.Add(new BodyPose(DoorId, BodyKind.Door, doorIsOpen ? BodyFlags.Open : BodyFlags.None, "door", 0xA9B40025, DoorAt, 0.5f, Vector3.Zero, 1, DoorSize));
+        near.Add(
+            new BodyPose(DoorId, BodyKind.Door, doorIsOpen ? BodyFlags.Open : BodyFlags.None, "door", 0xA9B40025, DoorAt, 0.5f,
+                Vector3.Zero, 1, DoorSize));
     }
 
     public void LookAtParts(IWorkbenchPlayer player, List<MovingPart> near) => near.Clear();
@@ -89,7 +93,8 @@ internal sealed class StandInWorld : IWorkbenchWorld
     public BlockShapes? ReadShapes(ushort block) =>
         block == 0xA9B4
             ? new BlockShapes(
-                [Vector3.Zero, Vector3.UnitX, Vector3.UnitY], [], [], [new NamedShape(0xA9B40100, [Vector3.Zero, Vector3.UnitX, new Vector3(0, 0, 2)])],
+                [Vector3.Zero, Vector3.UnitX, Vector3.UnitY], [], [], [
+                    new NamedShape(0xA9B40100, [Vector3.Zero, Vector3.UnitX, new Vector3(0, 0, 2)])],
                 [new Plant(new Vector3(1, 2, 3), 0.5f, 4, IsRound: false)],
                 [new MovingShape(3, 2, [Vector3.Zero, Vector3.UnitX, new Vector3(0, 0, 9)])])
             : null;
@@ -110,7 +115,8 @@ internal sealed class StandInWorld : IWorkbenchWorld
         private bool airborne;
 
         public PlayerPose Pose { get; private set; } = new(
-            joined, place.CellId, place.Position, place.Yaw, Vector3.Zero, 0, PoseFlags.Contact | PoseFlags.OnWalkable, new Plane(Vector3.UnitZ, -Ground), 0,
+            joined, place.CellId, place.Position, place.Yaw, Vector3.Zero, 0, PoseFlags.Contact | PoseFlags.OnWalkable,
+            new Plane(Vector3.UnitZ, -Ground), 0,
             WireLimits.MinQuantum, 1, 0x41000003, 1, 0, 0, 0);
 
         public void SetKeys(PlayerKeys now, double time)
@@ -137,15 +143,24 @@ internal sealed class StandInWorld : IWorkbenchWorld
         public void Configure(PlayerSettings changed, double time) => settings = changed;
 
         public void Goto(WorkbenchPlace where, double time) =>
-            Pose = Pose with { CellId = where.CellId, Position = where.Position with { Z = Ground }, Yaw = where.Yaw, Teleports = (byte)(Pose.Teleports + 1) };
+            Pose = Pose with
+            {
+                CellId = where.CellId,
+                Position = where.Position with { Z = Ground },
+                Yaw = where.Yaw,
+                Teleports = (byte)(Pose.Teleports + 1),
+            };
 
-        public IReadOnlyList<Touch> Touches => [new Touch(true, TouchKind.Ground, Pose.CellId, Vector3.UnitZ, ""), new Touch(false, TouchKind.Body, DoorId, Vector3.UnitX, "door")];
+        public IReadOnlyList<Touch> Touches =>
+            [
+                new Touch(true, TouchKind.Ground, Pose.CellId, Vector3.UnitZ, ""),
+                new Touch(false, TouchKind.Body, DoorId, Vector3.UnitX, "door")];
 
         public void Use(double now) => use();
 
         public bool TryTakeEvent(out PlayerEvent happened) => events.TryDequeue(out happened);
 
-        public void Step(float quantum, double now)
+        public void Advance(float quantum, double now)
         {
             float rate = ((settings.RunSkill / (settings.RunSkill + 200f) * 11f) + 4f) / 4f;
             float turn = Axis(PlayerKeys.TurnLeft, PlayerKeys.TurnRight) * 1.5f;
@@ -153,7 +168,11 @@ internal sealed class StandInWorld : IWorkbenchWorld
             float forward = keys.HasFlag(PlayerKeys.Forward) ? 1 : keys.HasFlag(PlayerKeys.Back) ? -0.65f : 0;
             float side = -Axis(PlayerKeys.SidestepLeft, PlayerKeys.SidestepRight);
             float speed = keys.HasFlag(PlayerKeys.Walk) ? 3.12f : 4f * rate;
-            if (!airborne) velocity = new Vector3((-MathF.Sin(yaw) * forward) + (MathF.Cos(yaw) * side), (MathF.Cos(yaw) * forward) + (MathF.Sin(yaw) * side), 0) * speed;
+            if (!airborne)
+            {
+                velocity = new Vector3((-MathF.Sin(yaw) * forward) + (MathF.Cos(yaw) * side),
+                    (MathF.Cos(yaw) * forward) + (MathF.Sin(yaw) * side), 0) * speed;
+            }
             else velocity.Z -= 9.8f * quantum;
             Vector3 position = Pose.Position + (velocity * quantum);
             if (airborne && position.Z <= Ground)

@@ -49,7 +49,8 @@ internal sealed partial class MotionInterpreter
 
         // Cleared flags: the calls below put the state into effect and must not rewrite it.
         MovementParameters p = new();
-        p.Flags &= ~(MovementFlags.SetHoldKey | MovementFlags.ModifyInterpretedState | MovementFlags.CancelMoveTo | MovementFlags.DisableJumpDuringLink);
+        p.Flags &= ~(MovementFlags.SetHoldKey | MovementFlags.ModifyInterpretedState | MovementFlags.CancelMoveTo |
+            MovementFlags.DisableJumpDuringLink);
         if (cancelMoveTo) p.Flags |= MovementFlags.CancelMoveTo;
         if (disallowJump) p.Flags |= MovementFlags.DisableJumpDuringLink;
 

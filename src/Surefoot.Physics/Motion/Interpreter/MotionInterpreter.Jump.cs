@@ -98,7 +98,9 @@ internal sealed partial class MotionInterpreter
         ApplyCurrentMovement(cancelMoveTo: false, disallowJump: false);
     }
 
-    /// <summary>Velocity at leaving the ground, m/s in the body's axes: that of the state and the jump, or what the body has when both are nothing.</summary>
+    /// <summary>
+    /// Velocity at leaving the ground, m/s in the body's axes: that of the state and the jump, or what the body has when both are nothing.
+    /// </summary>
     /// <remarks>Retail: CMotionInterp::get_leave_ground_velocity @0x005280C0.</remarks>
     public Vector3 GetLeaveGroundVelocity()
     {

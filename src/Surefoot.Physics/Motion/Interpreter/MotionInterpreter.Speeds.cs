@@ -63,13 +63,19 @@ internal sealed partial class MotionInterpreter
     public float RunRate => weenie is null ? 1f : weenie.InqRunRate(out float rate) ? rate : MyRunRate;
 
     /// <summary>Velocity that the interpreted state stands for, m/s in the body's axes, at most the running speed.</summary>
-    /// <remarks>Retail: CMotionInterp::get_state_velocity @0x00527D50. Not how the body moves on the ground (its animations say that): what it takes along into a jump.</remarks>
+    /// <remarks>
+    /// Retail: CMotionInterp::get_state_velocity @0x00527D50. Not how the body moves on the ground (its animations say that): what it takes
+    /// along into a jump.
+    /// </remarks>
     public Vector3 GetStateVelocity()
     {
         Vector3 v = Vector3.Zero;
-        if (Interpreted.SidestepCommand == MotionCommand.SideStepRight) v.X = (float)((double)MovementFormulas.SidestepSpeed * Interpreted.SidestepSpeed);
-        if (Interpreted.ForwardCommand == MotionCommand.WalkForward) v.Y = (float)((double)MovementFormulas.WalkSpeed * Interpreted.ForwardSpeed);
-        else if (Interpreted.ForwardCommand == MotionCommand.RunForward) v.Y = (float)((double)MovementFormulas.RunSpeed * Interpreted.ForwardSpeed);
+        if (Interpreted.SidestepCommand == MotionCommand.SideStepRight)
+            v.X = (float)((double)MovementFormulas.SidestepSpeed * Interpreted.SidestepSpeed);
+        if (Interpreted.ForwardCommand == MotionCommand.WalkForward)
+            v.Y = (float)((double)MovementFormulas.WalkSpeed * Interpreted.ForwardSpeed);
+        else if (Interpreted.ForwardCommand == MotionCommand.RunForward)
+            v.Y = (float)((double)MovementFormulas.RunSpeed * Interpreted.ForwardSpeed);
         double limit = (double)MovementFormulas.RunSpeed * RunRate, length = RetailMath.Length(v);
         return length > limit ? RetailMath.Scale(v, limit / length) : v;
     }

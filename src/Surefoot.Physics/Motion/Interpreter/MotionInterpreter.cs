@@ -9,8 +9,8 @@ namespace Surefoot.Physics.Motion;
 internal readonly record struct PendingMotion(uint ContextId, MotionCommand Motion, MotionError JumpError);
 
 /// <summary>
-/// Turns what the player asks for (<see cref="Raw"/>) or what a server says (<see cref="Interpreted"/>) into motions of the body. Each group of verbs
-/// has a file of its own: <c>Apply</c> (both states), <c>Motions</c> (single motions), <c>Jump</c>, <c>Speeds</c>.
+/// Turns what the player asks for (<see cref="Raw"/>) or what a server says (<see cref="Interpreted"/>) into motions of the body. Each
+/// group of verbs has a file of its own: <c>Apply</c> (both states), <c>Motions</c> (single motions), <c>Jump</c>, <c>Speeds</c>.
 /// </summary>
 /// <remarks>Retail: CMotionInterp; specification 01, section 4.</remarks>
 internal sealed partial class MotionInterpreter

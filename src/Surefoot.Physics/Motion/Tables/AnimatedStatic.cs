@@ -37,7 +37,9 @@ internal sealed class AnimatedStatic : IHookTarget
     internal ulong Order => item.Order;
 
     /// <summary>Brings the parts to <paramref name="now"/>. Less than 1/30 s waits for the next call, more than 2 s are lost.</summary>
-    /// <remarks>Retail: CPhysicsObj::animate_static_object @0x00513DF0. The object turns by omega itself, not by omega times the time.</remarks>
+    /// <remarks>
+    /// Retail: CPhysicsObj::animate_static_object @0x00513DF0. The object turns by omega itself, not by omega times the time.
+    /// </remarks>
     internal void Animate(double now)
     {
         double elapsed = now - updateTime;

@@ -12,7 +12,8 @@ namespace Surefoot.Physics.Motion;
 internal sealed class MotionSequence
 {
     /// <summary>
-    /// Most nodes entered in one update. Real tables enter a few; a framerate out of all proportion would otherwise keep an update busy for ever.
+    /// Most nodes entered in one update. Real tables enter a few; a framerate out of all proportion would otherwise keep an update busy for
+    /// ever.
     /// </summary>
     private const int MaxAdvances = 4096;
 

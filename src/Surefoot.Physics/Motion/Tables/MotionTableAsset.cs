@@ -25,11 +25,13 @@ internal sealed class MotionAsset
     /// <exception cref="ArgumentException">A number is NaN or infinite.</exception>
     public MotionAsset(ReadOnlySpan<AnimationSpan> animations, Vector3 velocity = default, Vector3 omega = default, byte bitfield = 0)
     {
-        if (!RetailMath.IsFinite(velocity) || !RetailMath.IsFinite(omega)) throw new ArgumentException("A velocity of a motion is not finite.");
+        if (!RetailMath.IsFinite(velocity) || !RetailMath.IsFinite(omega))
+            throw new ArgumentException("A velocity of a motion is not finite.");
         foreach (AnimationSpan animation in animations)
         {
             ArgumentNullException.ThrowIfNull(animation.Animation, nameof(animations));
-            if (!float.IsFinite(animation.Framerate)) throw new ArgumentException("A framerate of a motion is not finite.", nameof(animations));
+            if (!float.IsFinite(animation.Framerate))
+                throw new ArgumentException("A framerate of a motion is not finite.", nameof(animations));
         }
 
         this.animations = animations.ToArray();
@@ -101,7 +103,8 @@ public sealed class MotionTableAsset
     internal MotionAsset? Link(MotionCommand style, MotionCommand substate, float substateSpeed, MotionCommand motion, float speed)
     {
         if (substateSpeed >= 0 && speed >= 0)
-            return links.GetValueOrDefault((Key(style, substate), motion)) ?? links.GetValueOrDefault((Key(style, MotionCommand.None), motion));
+            return links.GetValueOrDefault((Key(style, substate), motion))
+                ?? links.GetValueOrDefault((Key(style, MotionCommand.None), motion));
         return links.GetValueOrDefault((Key(style, motion), substate)) ??
                links.GetValueOrDefault((Key(style, substate), DefaultSubstate(style)));
     }
@@ -135,7 +138,8 @@ internal sealed class MotionTableBuilder
     }
 
     /// <summary>Adds a cycle.</summary>
-    public MotionTableBuilder Cycle(MotionCommand style, MotionCommand motion, MotionAsset data) => Cycle(MotionTableAsset.Key(style, motion), data);
+    public MotionTableBuilder Cycle(MotionCommand style, MotionCommand motion, MotionAsset data) =>
+        Cycle(MotionTableAsset.Key(style, motion), data);
 
     /// <summary>Adds a cycle under its key.</summary>
     public MotionTableBuilder Cycle(uint key, MotionAsset data)

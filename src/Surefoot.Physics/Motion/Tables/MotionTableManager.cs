@@ -153,8 +153,9 @@ public sealed class MotionTableManager
     }
 
     /// <summary>
-    /// A substate or style that was on its way already makes the way there and back superfluous: what was queued after the first of the two is not
-    /// played. Entries without animations stop no search, as others of the same kind do not; anything else between the two keeps the links.
+    /// A substate or style that was on its way already makes the way there and back superfluous: what was queued after the first of the two
+    /// is not played. Entries without animations stop no search, as others of the same kind do not; anything else between the two keeps the
+    /// links.
     /// </summary>
     /// <remarks>Retail: MotionTableManager::remove_redundant_links.</remarks>
     private void RemoveRedundantLinks()

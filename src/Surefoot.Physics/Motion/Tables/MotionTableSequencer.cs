@@ -5,7 +5,8 @@ namespace Surefoot.Physics.Motion;
 internal sealed class MotionTableSequencer(MotionTableAsset table, MotionTableState state, MotionSequence sequence)
 {
     /// <summary>
-    /// Most modifiers re-done for one order. Real tables need a few; a table whose turn and sidestep cycles evict each other would go on for ever.
+    /// Most modifiers re-done for one order. Real tables need a few; a table whose turn and sidestep cycles evict each other would go on
+    /// for ever.
     /// </summary>
     private const int MaxRedone = 64;
 
@@ -219,8 +220,8 @@ internal sealed class MotionTableSequencer(MotionTableAsset table, MotionTableSt
     }
 
     /// <summary>
-    /// As often as there are modifiers, takes the newest off and does it again on the new cycle. One that comes back is the newest again: of several only
-    /// that one is re-done, and its velocities count once for each that there was. The others stay listed without acting.
+    /// As often as there are modifiers, takes the newest off and does it again on the new cycle. One that comes back is the newest again:
+    /// of several only that one is re-done, and its velocities count once for each that there was. The others stay listed without acting.
     /// </summary>
     /// <remarks>Retail: CMotionTable::re_modify.</remarks>
     private void ReModify()

@@ -3,7 +3,9 @@ using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Motion;
 
-/// <summary>The statics that an engine animates: those of the landblocks that are loaded. The many that have no animation cost nothing.</summary>
+/// <summary>
+/// The statics that an engine animates: those of the landblocks that are loaded. The many that have no animation cost nothing.
+/// </summary>
 /// <remarks>Retail: the list of CPhysics::AddStaticAnimatingObject @0x00509AF0 and RemoveStaticAnimatingObject @0x00509760.</remarks>
 internal sealed class StaticAnimations
 {

@@ -23,7 +23,8 @@ internal static class BallObstacle
         Transition transition, in Position obstacle, float scale, in Sphere sphere, bool isCreature)
     {
         Sphere placed = new(
-            transition.Path.CheckPos.LocalToGlobal(obstacle, RetailMath.Scale(sphere.Center, scale)), (float)((double)scale * sphere.Radius));
+            transition.Path.CheckPos.LocalToGlobal(obstacle, RetailMath.Scale(sphere.Center, scale)),
+            (float)((double)scale * sphere.Radius));
         return IntersectsSphere(transition, placed, isCreature);
     }
 

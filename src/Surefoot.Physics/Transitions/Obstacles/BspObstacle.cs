@@ -6,8 +6,8 @@ using Surefoot.Physics.Geometry;
 namespace Surefoot.Physics.Transitions.Obstacles;
 
 /// <summary>
-/// The collision tree of a mesh or room as an obstacle: its answer to a transition. The path's local-space spheres must have been cached for the mesh or room;
-/// answers go back in world axes.
+/// The collision tree of a mesh or room as an obstacle: its answer to a transition. The path's local-space spheres must have been cached
+/// for the mesh or room; answers go back in world axes.
 /// </summary>
 /// <remarks>Retail: BSPTREE; specification 04, 4.6.</remarks>
 internal static class BspObstacle
@@ -26,7 +26,8 @@ internal static class BspObstacle
         if (path.InsertType == InsertType.Placement || path.ObstructionEthereal)
         {
             bool centerCheck = !path.BuildingCheck || !transition.Cells.HitsInteriorCell;
-            bool solid = tree.SphereIntersectsSolid(spheres[0], centerCheck) || (two && tree.SphereIntersectsSolid(spheres[1], centerCheck));
+            bool solid = tree.SphereIntersectsSolid(spheres[0], centerCheck) ||
+                (two && tree.SphereIntersectsSolid(spheres[1], centerCheck));
             if (!solid) return TransitionState.OK;
             transition.Trace?.HitTree(transition, TraceReason.Overlaps);
             return TransitionState.Collided;
@@ -44,10 +45,14 @@ internal static class BspObstacle
         Vector3 movement = spheres[0].Center - path.LocalSpaceCurrCenters[0];
         if (path.Collide) return tree.RestOnWalkable(transition, movement, scale);
         if (transition.Object.Has(MoverFlags.Contact)) return tree.Walking(transition, movement, two);
-        return transition.Object.Has(MoverFlags.PathClipped) ? tree.Clipped(transition, movement, scale) : tree.Airborne(transition, movement, two);
+        return transition.Object.Has(MoverFlags.PathClipped)
+            ? tree.Clipped(transition, movement, scale)
+            : tree.Airborne(transition, movement, two);
     }
 
-    /// <summary>On the ground: the foot steps up or slides, the head slides; what is overlapped but not run into is answered later.</summary>
+    /// <summary>
+    /// On the ground: the foot steps up or slides, the head slides; what is overlapped but not run into is answered later.
+    /// </summary>
     private static TransitionState Walking(this PhysicsBsp tree, Transition transition, in Vector3 movement, bool two)
     {
         SpherePath path = transition.Path;
@@ -119,11 +124,15 @@ internal static class BspObstacle
         double down = -((double)path.StepDownAmount * path.WalkInterp), inverse = 1.0 / scale;
         float inverseStored = (float)inverse;
         Vector3 movement = new(
-            (float)(inverse * (float)(down * up.X)), (float)((double)(float)(down * up.Y) * inverseStored), (float)(down * up.Z * inverseStored));
+            (float)(inverse * (float)(down * up.X)),
+            (float)((double)(float)(down * up.Y) * inverseStored),
+            (float)(down * up.Z * inverseStored));
         return tree.RestOnWalkable(transition, movement, scale);
     }
 
-    /// <summary>Rests the foot on walkable polygons that <paramref name="movement"/> runs into; the last one becomes contact plane and walkable.</summary>
+    /// <summary>
+    /// Rests the foot on walkable polygons that <paramref name="movement"/> runs into; the last one becomes contact plane and walkable.
+    /// </summary>
     private static TransitionState RestOnWalkable(this PhysicsBsp tree, Transition transition, in Vector3 movement, float scale)
     {
         SpherePath path = transition.Path;
@@ -184,8 +193,8 @@ internal static class BspObstacle
     }
 
     /// <summary>
-    /// Finds the last place free of hits on the way from <paramref name="curr"/> to the sphere: first the times at which planes are touched, then by halving. Both
-    /// share 15 tries.
+    /// Finds the last place free of hits on the way from <paramref name="curr"/> to the sphere: first the times at which planes are
+    /// touched, then by halving. Both share 15 tries.
     /// </summary>
     /// <remarks>Retail: BSPTREE::adjust_to_plane @0x00539BF0.</remarks>
     internal static bool AdjustToPlane(this PhysicsBsp tree, ref Sphere sphere, in Vector3 curr, PolygonContact hit)

@@ -13,7 +13,8 @@ internal static class CellObstacle
     {
         WorldObject? mover = transition.Object.Mover;
         if (mover is null) return TransitionState.Collided;
-        bool guarded = cell.RestrictionObject != 0 && transition.Object.Weenie != WeenieTraits.None && transition.Object.Has(MoverFlags.IsPlayer);
+        bool guarded = cell.RestrictionObject != 0 && transition.Object.Weenie != WeenieTraits.None &&
+            transition.Object.Has(MoverFlags.IsPlayer);
         if (!guarded) return TransitionState.OK;
         IMoveRestrictions? restrictions = transition.World.Restrictions;
         if (restrictions is not null && restrictions.CanBypass(mover)) return TransitionState.OK;
@@ -23,7 +24,8 @@ internal static class CellObstacle
                 return TransitionState.OK;
             case false:
                 if (cell is LandCell land) PushBack(land, transition);
-                transition.Trace?.Responded(transition, TransitionResponse.Stop, transition.Collision.CollisionNormal, false, TraceReason.Guarded);
+                transition.Trace?.Responded(transition, TransitionResponse.Stop, transition.Collision.CollisionNormal, false,
+                    TraceReason.Guarded);
                 return TransitionState.Collided;
             default:
                 transition.Trace?.Responded(transition, TransitionResponse.Stop, Vector3.Zero, false, TraceReason.Guarded);

@@ -6,7 +6,9 @@ using Surefoot.Physics.World;
 namespace Surefoot.Physics.Transitions.Obstacles;
 
 /// <summary>An upright cylinder as an obstacle: its answer to a transition, in the block frame of the check position.</summary>
-/// <remarks>Retail: CCylSphere; specification 04, 4.9. The radius of the mover's foot serves for its head as well, except for the height.</remarks>
+/// <remarks>
+/// Retail: CCylSphere; specification 04, 4.9. The radius of the mover's foot serves for its head as well, except for the height.
+/// </remarks>
 internal static class CylinderObstacle
 {
     /// <summary>Tests an object's cylinder. The object's turn moves the cylinder's foot but does not tilt the cylinder.</summary>
@@ -26,7 +28,8 @@ internal static class CylinderObstacle
     }
 
     /// <summary>
-    /// Tests a cylinder given in the block frame of the check position; <paramref name="obstacle"/> is its object. The order of the modes is load-bearing.
+    /// Tests a cylinder given in the block frame of the check position; <paramref name="obstacle"/> is its object. The order of the modes
+    /// is load-bearing.
     /// </summary>
     /// <remarks>Retail: CCylSphere::intersects_sphere @0x0053B440.</remarks>
     private static TransitionState IntersectsSphere(Transition transition, in CylSphere cylinder, in Position obstacle)
@@ -37,7 +40,8 @@ internal static class CylinderObstacle
         float radiusSum = (float)((double)cylinder.Radius - RetailMath.Epsilon + foot.Radius);
         bool footHits = CollisionPrimitives.CylinderCollidesWithSphere(foot.Radius, offset, radiusSum, cylinder.Height);
         bool headHits = path.SphereCount > 1 &&
-                        CollisionPrimitives.CylinderCollidesWithSphere(path.GlobalSpheres[1].Radius, headOffset, radiusSum, cylinder.Height);
+                        CollisionPrimitives.CylinderCollidesWithSphere(path.GlobalSpheres[1].Radius, headOffset, radiusSum,
+                            cylinder.Height);
         // In every mode a cylinder that is not touched answers OK.
         if (!footHits && !headHits) return TransitionState.OK;
         // Retail does this before it looks; only the turned normal of a step-up reads it.
@@ -189,7 +193,8 @@ internal static class CylinderObstacle
             return TransitionState.Collided;
         }
 
-        // Sphere 0's accepted centre, also when sphere 1 met the cylinder; and its block frame is taken for the check position's. Both are retail's.
+        // Sphere 0's accepted centre, also when sphere 1 met the cylinder; and its block frame is taken for the check position's. Both are
+        // retail's.
         Sphere moving = path.GlobalSpheres[i];
         Vector3 curr = path.GlobalCurrCenters[0];
         Clip clip = new(path.Displacement(moving.Center, curr), curr - cylinder.LowPoint, (float)((double)radiusSum + RetailMath.Epsilon));

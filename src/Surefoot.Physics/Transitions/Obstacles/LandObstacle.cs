@@ -24,7 +24,9 @@ internal static class LandObstacle
         return state == TransitionState.OK ? AskThings(land, transition) : state;
     }
 
-    /// <summary>The terrain's answer: the triangle is chosen by the foot's lowest point. A sphere over another cell is tested there only.</summary>
+    /// <summary>
+    /// The terrain's answer: the triangle is chosen by the foot's lowest point. A sphere over another cell is tested there only.
+    /// </summary>
     /// <remarks>Retail: CLandCell::find_env_collisions @0x00532F20.</remarks>
     private static TransitionState AskGround(LandCell land, Transition transition, bool mayBeWater)
     {

@@ -22,7 +22,9 @@ internal static class MeshObstacle
         for (int i = 0; i < path.SphereCount; i++)
         {
             if (!CollisionPrimitives.SpheresIntersect(tree.Bounds, path.LocalSpaceSpheres[i])) continue;
-            return path.InsertType == InsertType.InitialPlacement ? tree.PlacementInsert(transition) : tree.FindCollisions(transition, scale);
+            return path.InsertType == InsertType.InitialPlacement
+                ? tree.PlacementInsert(transition)
+                : tree.FindCollisions(transition, scale);
         }
 
         return TransitionState.OK;

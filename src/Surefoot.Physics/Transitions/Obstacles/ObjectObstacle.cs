@@ -24,7 +24,9 @@ internal static class ObjectObstacle
         TraceReason passed = PassesPlayer(target, mover) ? TraceReason.PassedPlayer
             : mover.MissileIgnores(target) ? TraceReason.PassedByMissile
             : target.Setup is null ? TraceReason.NoShape : TraceReason.None;
-        TransitionState state = passed == TraceReason.None ? target.Setup!.FindCollisions(transition, target, creature) : TransitionState.OK;
+        TransitionState state = passed == TraceReason.None
+            ? target.Setup!.FindCollisions(transition, target, creature)
+            : TransitionState.OK;
 
         if (state != TransitionState.OK && !path.SteppingDown)
         {

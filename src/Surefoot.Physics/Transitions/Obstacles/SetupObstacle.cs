@@ -12,8 +12,8 @@ internal static class SetupObstacle
     private const double FarMargin = 0.1;
 
     /// <summary>
-    /// Tests the check position against an object of a setup: its parts' trees if its state word says so, else its cylinders, else its spheres; the first
-    /// answer other than OK counts.
+    /// Tests the check position against an object of a setup: its parts' trees if its state word says so, else its cylinders, else its
+    /// spheres; the first answer other than OK counts.
     /// </summary>
     /// <param name="setup">The setup.</param>
     /// <param name="transition">The transition.</param>
@@ -32,7 +32,8 @@ internal static class SetupObstacle
                 GfxObjAsset mesh = setup.Parts[i].Mesh;
                 if (mesh.Physics is null) continue;
                 float partScale = (float)((double)setup.Parts[i].DefaultScale.Z * scale);
-                if (IsFarAway(transition.Path, position.CellId, target.PartOrigin(i), Math.Abs((double)partScale) * (mesh.PhysicsReach + FarMargin)))
+                double reach = Math.Abs((double)partScale) * (mesh.PhysicsReach + FarMargin);
+                if (IsFarAway(transition.Path, position.CellId, target.PartOrigin(i), reach))
                 {
                     transition.Trace?.SkippedPart(transition, i);
                     continue;
@@ -69,8 +70,9 @@ internal static class SetupObstacle
     }
 
     /// <summary>
-    /// True when the body is so far from a point that nothing within <paramref name="reach"/> metres of it is touched, however what is there is turned; saves
-    /// turning it. Never true where retail's own test would not end in OK: a tenth of a metre, in either frame, covers the roundings.
+    /// True when the body is so far from a point that nothing within <paramref name="reach"/> metres of it is touched, however what is
+    /// there is turned; saves turning it. Never true where retail's own test would not end in OK: a tenth of a metre, in either frame,
+    /// covers the roundings.
     /// </summary>
     private static bool IsFarAway(SpherePath path, uint cellId, in Vector3 point, double reach)
     {

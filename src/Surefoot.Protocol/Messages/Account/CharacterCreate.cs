@@ -21,8 +21,7 @@ public sealed record CharacterCreate : IMessage<CharacterCreate>
     public uint Gender { get; init; } = 1;
 
     /// <summary>Fourteen choices: eyes, nose, mouth, hair colour, eye colour, hair style, headgear style (0xFFFFFFFF none) and colour,
-    /// shirt style and
-    /// colour, pants style and colour, footwear style and colour.</summary>
+    /// shirt style and colour, pants style and colour, footwear style and colour.</summary>
     public ValueList<uint> Appearance { get; init; } = [0, 0, 0, 0, 0, 0, uint.MaxValue, 0, 0, 0, 0, 0, 0, 0];
 
     /// <summary>Six shades, 0 to 1: skin, hair, headgear, shirt, pants, footwear.</summary>

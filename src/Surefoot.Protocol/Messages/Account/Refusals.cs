@@ -2,8 +2,7 @@ namespace Surefoot.Protocol.Messages;
 
 /// <summary>A refusal (specification 08, 3.5).</summary>
 /// <param name="Code">1 account in use, 3 account, 4 server down, 9 invalid account, 0x0A unknown account, 0x0B no such character, 0x0D
-/// character still in
-/// the world, 0x0F not your character, 0x14 cannot be placed, 0x15 server full.</param>
+/// character still in the world, 0x0F not your character, 0x14 cannot be placed, 0x15 server full.</param>
 public readonly record struct CharacterError(uint Code) : IInterfaceMessage<CharacterError>
 {
     static Opcode IInterfaceMessage<CharacterError>.Opcode => Opcode.CharacterError;

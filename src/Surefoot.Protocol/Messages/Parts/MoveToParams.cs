@@ -2,10 +2,8 @@ namespace Surefoot.Protocol.Messages;
 
 /// <summary>How to go somewhere: 28 bytes (specification 08, 6.4).</summary>
 /// <param name="Bits">0x1 can walk, 0x2 can run, 0x4 can sidestep, 0x8 can walk backwards, 0x10 can charge, 0x20 fail walk, 0x40 use final
-/// heading, 0x80
-/// sticky, 0x100 move away, 0x200 move towards, 0x400 use spheres, 0x800 set hold key, 0x1000 autonomous, 0x2000 modify raw state, 0x4000
-/// modify
-/// interpreted state, 0x8000 cancel move-to, 0x10000 stop completely, 0x20000 disable jump during link.</param>
+/// heading, 0x80 sticky, 0x100 move away, 0x200 move towards, 0x400 use spheres, 0x800 set hold key, 0x1000 autonomous, 0x2000 modify raw
+/// state, 0x4000 modify interpreted state, 0x8000 cancel move-to, 0x10000 stop completely, 0x20000 disable jump during link.</param>
 /// <param name="DistanceToObject">How near to come, metres.</param>
 /// <param name="MinDistance">How far to flee, metres.</param>
 /// <param name="FailDistance">How far the target may be, metres.</param>

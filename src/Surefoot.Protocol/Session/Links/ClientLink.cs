@@ -14,8 +14,7 @@ internal enum LinkState
 }
 
 /// <summary>A client's side of the packets: handshake, numbers, acknowledgements, clocks (specification 08, 2 and 3). It reads no clock and
-/// knows no
-/// socket: datagrams and the time come in, datagrams and messages go out.</summary>
+/// knows no socket: datagrams and the time come in, datagrams and messages go out.</summary>
 internal sealed class ClientLink
 {
     private const double LoginRetry = 2.0, ResponseRetry = 0.333333333, AckInterval = 2.0, NakInterval = 0.6, Interval = 0.5;

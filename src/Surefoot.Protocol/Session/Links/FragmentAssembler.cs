@@ -3,8 +3,7 @@ using System.Buffers;
 namespace Surefoot.Protocol.Session;
 
 /// <summary>Puts messages together whose fragments arrive in any order (specification 08, 2.5). Its memory is bounded: the unfinished
-/// message that was begun
-/// first goes when there are too many.</summary>
+/// message that was begun first goes when there are too many.</summary>
 internal sealed class FragmentAssembler
 {
     /// <summary>Longest message.</summary>

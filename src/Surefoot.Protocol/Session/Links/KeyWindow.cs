@@ -1,8 +1,7 @@
 namespace Surefoot.Protocol.Session;
 
 /// <summary>The words of a key stream from a receiver's side: those to come can be looked at before they are taken, and words taken too
-/// early can be given
-/// back.</summary>
+/// early can be given back.</summary>
 internal sealed class KeyWindow(uint seed)
 {
     private readonly KeyStream stream = new(seed);

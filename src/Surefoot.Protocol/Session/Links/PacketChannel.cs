@@ -59,9 +59,6 @@ internal sealed class PacketChannel
     /// <summary>Number of the newest packet sent.</summary>
     public uint NewestSent { get; private set; } = 1;
 
-    /// <summary>Packets that the other side has not acknowledged.</summary>
-    public int KeptPackets => sent.Count;
-
     /// <summary>Puts a message into packets; those that are full leave at once.</summary>
     public void Append(ReadOnlySpan<byte> message, uint sequence, uint id, MessageGroup group, double now)
     {

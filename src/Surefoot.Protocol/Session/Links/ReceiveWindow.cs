@@ -6,8 +6,7 @@ namespace Surefoot.Protocol.Session;
 /// <summary>Which packets have arrived, which are missing, and which words of the key stream their checksums may be made with
 /// (specification 08, 2.6, 2.4 and 10). Nothing changes for a packet whose checksum is wrong.</summary>
 /// <remarks>Retail: SharedNet::ProcessNewSeqNum @0x00544690. Retail ties a word to each missing number; here the words of missing packets
-/// are a pool, since a
-/// server of the field gives numbers to packets for which it draws no word.</remarks>
+/// are a pool, since a server of the field gives numbers to packets for which it draws no word.</remarks>
 internal sealed class ReceiveWindow
 {
     // How far ahead a word is looked for when the one that is due does not fit (specification 08, 10).
@@ -163,8 +162,7 @@ internal sealed class ReceiveWindow
     }
 
     /// <summary>A new packet was made with a word that a missing one was thought to have: there are numbers without a word among the
-    /// missing ones. The words that
-    /// were taken after it belong to packets to come.</summary>
+    /// missing ones. The words that were taken after it belong to packets to come.</summary>
     private void TakeBack(int pooled)
     {
         int after = pool.Count - pooled - 1;

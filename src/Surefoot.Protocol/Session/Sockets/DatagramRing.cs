@@ -1,8 +1,7 @@
 namespace Surefoot.Protocol.Session;
 
 /// <summary>Datagrams on their way from the one thread that receives to the one that reads, in memory that is used again. When it is full,
-/// what arrives is
-/// dropped and counted: the server is asked for it later.</summary>
+/// what arrives is dropped and counted: the server is asked for it later.</summary>
 internal sealed class DatagramRing
 {
     /// <summary>Longest datagram that is taken whole; servers of the field send at most 1024 bytes.</summary>

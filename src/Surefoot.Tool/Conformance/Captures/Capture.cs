@@ -66,7 +66,8 @@ internal sealed class Capture
             [
                 .. file.Read(line => Guarded(file.Path, () => read < found.Length
                     ? Parse(JsonElement.Parse(line), basePort, found[read++])
-                    : throw new InvalidDataException($"there are more than the {found.Length} datagrams in which there is something to find."))),
+                    : throw new InvalidDataException(
+                        $"there are more than the {found.Length} datagrams in which there is something to find."))),
             ];
             if (read < found.Length) throw new InvalidDataException($"{file.Path}: it ends after {read} of {found.Length} datagrams.");
             return new Capture(session, expected, datagrams);

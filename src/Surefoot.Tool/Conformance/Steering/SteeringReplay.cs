@@ -24,7 +24,8 @@ internal static class SteeringReplay
         };
         foreach (JsonElement body in recorded.GetProperty("bodies").EnumerateArray())
             world.Add(new StubBody(world, new StubSettings(body)));
-        List<WatchedBody> watched = [.. recorded.GetProperty("watch").EnumerateArray().Select(static id => new WatchedBody(id.GetString()!))];
+        List<WatchedBody> watched =
+            [.. recorded.GetProperty("watch").EnumerateArray().Select(static id => new WatchedBody(id.GetString()!))];
         int done = 0;
         string? difference = null;
         JsonElement steps = recorded.GetProperty("steps");

@@ -8,8 +8,7 @@ namespace Surefoot.Tool.Conformance.Steering;
 
 /// <summary>
 /// The body of the recorded runs of the managers: it moves freely, without terrain, collision or animation, and obeys motions at once. The
-/// managers over it are the
-/// real ones. <c>tests/data/remote-vectors/README.md</c> defines it.
+/// managers over it are the real ones. <c>tests/data/remote-vectors/README.md</c> defines it.
 /// </summary>
 internal sealed class StubBody(StubWorld world, StubSettings settings) : SteeredBody
 {

@@ -76,7 +76,8 @@ internal static class Tolerance
     {
         Quaternion expected = recorded.Rotation();
         return Within(actual - expected) || Within(actual + expected);
-        static bool Within(Quaternion d) => Math.Max(Math.Max(Math.Abs(d.W), Math.Abs(d.X)), Math.Max(Math.Abs(d.Y), Math.Abs(d.Z))) <= 2e-5f;
+        static bool Within(Quaternion d) =>
+            Math.Max(Math.Max(Math.Abs(d.W), Math.Abs(d.X)), Math.Max(Math.Abs(d.Y), Math.Abs(d.Z))) <= 2e-5f;
     }
 
     private static bool Report(in TargetInfo info, JsonElement recorded) =>

@@ -11,7 +11,8 @@ internal sealed class WatchedBody(string name)
     /// <summary>Fields of a manager that was not made yet have these values.</summary>
     private static readonly Dictionary<string, JsonElement> Initial = JsonElement.Parse(
         """
-        {"queue":0,"frames":0,"time":0,"from":999999,"fails":0,"keep":0,"stuck":0,"known":0,"bound":0,"type":0,"nodes":[],"cmd":"0","aux":"0"}
+        {"queue":0,"frames":0,"time":0,"from":999999,"fails":0,"keep":0,"stuck":0,"known":0,"bound":0,"type":0,"nodes":[],
+        "cmd":"0","aux":"0"}
         """)
         .EnumerateObject().ToDictionary(p => p.Name, p => p.Value);
 

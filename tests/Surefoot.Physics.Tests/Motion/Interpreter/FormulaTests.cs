@@ -20,7 +20,8 @@ public class FormulaTests
     [InlineData(1.5f, 300, 1.82500005f)]
     [InlineData(1.99f, 300, 1.0165f)]
     [InlineData(2.5f, 300, 1f)]
-    public void The_run_rate_follows_skill_and_load(float load, int skill, float expected) => Assert.Equal(expected, MovementFormulas.RunRate(load, skill));
+    public void The_run_rate_follows_skill_and_load(float load, int skill, float expected) =>
+        Assert.Equal(expected, MovementFormulas.RunRate(load, skill));
 
     [Theory]
     [Behaviour("motion.run-rate.equality-rule-is-an-option", "spec/01, 4.1 and 6")]
@@ -31,7 +32,8 @@ public class FormulaTests
         Assert.Equal(expected, MovementFormulas.RunRate(0, skill, TopSpeedRule.ExactlyEightHundred));
 
     [Theory]
-    [Behaviour("motion.jump.height-and-speed-follow-skill-load-and-charge", "spec/01, 4.1 and 6; MovementSystem::GetJumpHeight @0x006B09B0")]
+    [Behaviour("motion.jump.height-and-speed-follow-skill-load-and-charge",
+        "spec/01, 4.1 and 6; MovementSystem::GetJumpHeight @0x006B09B0")]
     [InlineData(0f, 0, 1f, 0.349999994f, 2.61916018f)]
     [InlineData(0f, 100, 1f, 1.63571434f, 5.66215515f)]
     [InlineData(0f, 200, 0.5f, 1.50500005f, 5.43120623f)]
@@ -50,7 +52,8 @@ public class FormulaTests
     }
 
     [Theory]
-    [Behaviour("motion.jump.speed-from-the-unrounded-height", "spec/01, 4.1: only the speed is stored; from the stored height it would be one bit off")]
+    [Behaviour("motion.jump.speed-from-the-unrounded-height",
+        "spec/01, 4.1: only the speed is stored; from the stored height it would be one bit off")]
     [InlineData(29, 0.534424424f, 3.23646688f)]
     [InlineData(73, 1.23033512f, 4.91065836f)]
     [InlineData(77, 1.29139435f, 5.03103685f)]
@@ -76,7 +79,8 @@ public class FormulaTests
         Assert.Equal(expected, MovementFormulas.JumpStaminaCost(power, load, pk));
 
     [Theory]
-    [Behaviour("motion.load.capacity-from-strength-and-augmentations", "spec/01, 4.1 and 6; EncumbranceSystem::EncumbranceCapacity @0x004FCC00")]
+    [Behaviour("motion.load.capacity-from-strength-and-augmentations",
+        "spec/01, 4.1 and 6; EncumbranceSystem::EncumbranceCapacity @0x004FCC00")]
     [InlineData(100, 0, 15000)]
     [InlineData(100, 2, 21000)]
     [InlineData(100, 9, 30000)]
@@ -121,7 +125,8 @@ public class FormulaTests
     public void A_longer_charge_is_never_lower_and_never_below_the_minimum() =>
         Gen.Select(Gen.Int[0, 2000], Gen.Float[0, 3], Gen.Float[0, 1], Gen.Float[0, 1]).Sample((skill, load, p, q) =>
         {
-            double low = MovementFormulas.JumpHeight(load, skill, Math.Min(p, q)), high = MovementFormulas.JumpHeight(load, skill, Math.Max(p, q));
+            double low = MovementFormulas.JumpHeight(load, skill, Math.Min(p, q)),
+                high = MovementFormulas.JumpHeight(load, skill, Math.Max(p, q));
             return low >= 0.35f && low <= high;
         });
 }

@@ -16,7 +16,8 @@ public class InterpreterTests
     [InlineData(MotionCommand.TurnRight, MotionCommand.TurnRight, 1.5f)]
     [InlineData(MotionCommand.SideStepLeft, MotionCommand.SideStepRight, -3f)]
     [InlineData(MotionCommand.RunForward, MotionCommand.RunForward, 1f)]
-    public void Commands_are_normalised_with_the_run_key(MotionCommand motion, MotionCommand expected, float expectedSpeed) => AssertAdjusted(motion, HoldKey.Run, expected, expectedSpeed);
+    public void Commands_are_normalised_with_the_run_key(MotionCommand motion, MotionCommand expected, float expectedSpeed) =>
+        AssertAdjusted(motion, HoldKey.Run, expected, expectedSpeed);
 
     [Theory]
     [Behaviour("motion.adjust.normalises-without-run", "spec/01, 4.2 and 6")]
@@ -25,7 +26,8 @@ public class InterpreterTests
     [InlineData(MotionCommand.TurnLeft, MotionCommand.TurnRight, -1f)]
     [InlineData(MotionCommand.SideStepLeft, MotionCommand.SideStepRight, -1.24799991f)]
     [InlineData(MotionCommand.Crouch, MotionCommand.Crouch, 1f)]
-    public void Commands_are_normalised_without_the_run_key(MotionCommand motion, MotionCommand expected, float expectedSpeed) => AssertAdjusted(motion, HoldKey.None, expected, expectedSpeed);
+    public void Commands_are_normalised_without_the_run_key(MotionCommand motion, MotionCommand expected, float expectedSpeed) =>
+        AssertAdjusted(motion, HoldKey.None, expected, expectedSpeed);
 
     private static void AssertAdjusted(MotionCommand motion, HoldKey key, MotionCommand expected, float expectedSpeed)
     {
@@ -104,7 +106,8 @@ public class InterpreterTests
         Assert.Equal(MotionCommand.WalkForward, interpreter.Animation!.Substate);
 
         interpreter.SetHoldRun(true, false);
-        Assert.Equal((MotionCommand.RunForward, 2.6500001f), (interpreter.Interpreted.ForwardCommand, interpreter.Interpreted.ForwardSpeed));
+        Assert.Equal((MotionCommand.RunForward, 2.6500001f),
+            (interpreter.Interpreted.ForwardCommand, interpreter.Interpreted.ForwardSpeed));
         Assert.Equal((MotionCommand.RunForward, 2.6500001f), (interpreter.Animation.Substate, interpreter.Animation.SubstateSpeed));
         Assert.Equal((MotionCommand.WalkForward, 1f), (interpreter.Raw.ForwardCommand, interpreter.Raw.ForwardSpeed));
 
@@ -120,9 +123,12 @@ public class InterpreterTests
     {
         FakeBody body = new() { OnWalkable = false };
         MotionInterpreter interpreter = new(null, body, FakeBody.Player());
-        foreach (MotionCommand motion in (MotionCommand[])[MotionCommand.Falling, MotionCommand.Dead, MotionCommand.TurnRight, MotionCommand.TurnLeft])
+        MotionCommand[] free = [MotionCommand.Falling, MotionCommand.Dead, MotionCommand.TurnRight, MotionCommand.TurnLeft];
+        foreach (MotionCommand motion in free)
             Assert.True(interpreter.ContactAllowsMove(motion));
-        foreach (MotionCommand motion in (MotionCommand[])[MotionCommand.Ready, MotionCommand.WalkForward, MotionCommand.SideStepRight, Bow, MotionCommand.NonCombat])
+        MotionCommand[] bound =
+            [MotionCommand.Ready, MotionCommand.WalkForward, MotionCommand.SideStepRight, Bow, MotionCommand.NonCombat];
+        foreach (MotionCommand motion in bound)
             Assert.False(interpreter.ContactAllowsMove(motion));
 
         (body.HasContact, body.OnWalkable) = (false, true);
@@ -165,7 +171,8 @@ public class InterpreterTests
         Assert.Equal(MotionError.NoBody, new MotionInterpreter(null).DoInterpretedMotion(MotionCommand.WalkForward, Defaults));
         Assert.Equal(MotionError.NoBody, new MotionInterpreter(null).StopInterpretedMotion(MotionCommand.WalkForward, Defaults));
         Assert.Equal(MotionError.NoBody, new MotionInterpreter(null).Jump(1f));
-        Assert.Equal(MotionError.NoAnimationTable, new MotionInterpreter(null, new FakeBody()).DoMotion(MotionCommand.WalkForward, Defaults));
+        Assert.Equal(MotionError.NoAnimationTable,
+            new MotionInterpreter(null, new FakeBody()).DoMotion(MotionCommand.WalkForward, Defaults));
 
         (_, MotionInterpreter interpreter) = FakeBody.Standing(FakeBody.Player(), HumanoidTable.Create(links: true));
         Assert.Equal(MotionError.NoMotionData, interpreter.DoMotion((MotionCommand)0x400000EE, Defaults));
@@ -271,7 +278,8 @@ public class InterpreterTests
     [InlineData(0, 0x7FFF, false)]
     [InlineData(0, 0x3FFF, true)]
     [InlineData(0, 0x4000, false)]
-    public void Action_stamps_wrap_around(int own, int other, bool newer) => Assert.Equal(newer, MotionInterpreter.IsNewerStamp(own, other));
+    public void Action_stamps_wrap_around(int own, int other, bool newer) =>
+        Assert.Equal(newer, MotionInterpreter.IsNewerStamp(own, other));
 
     [Fact]
     [Behaviour("motion.server.state-is-done", "spec/01, 4.14; CMotionInterp::move_to_interpreted_state @0x005289C0")]

@@ -96,7 +96,8 @@ public class MotionStateTests
         state.RemoveMotion(MotionCommand.RunForward);
         state.RemoveMotion(MotionCommand.SideStepRight);
         state.RemoveMotion(MotionCommand.TurnRight);
-        Assert.Equal((MotionCommand.Ready, MotionCommand.None, MotionCommand.None), (state.ForwardCommand, state.SidestepCommand, state.TurnCommand));
+        Assert.Equal((MotionCommand.Ready, MotionCommand.None, MotionCommand.None),
+            (state.ForwardCommand, state.SidestepCommand, state.TurnCommand));
         state.CopyMovementFrom(copy);
         Assert.Equal(MotionCommand.RunForward, state.ForwardCommand);
     }

@@ -17,8 +17,8 @@ using StaticRecord = Surefoot.Dats.Records.StaticObject;
 namespace Surefoot.Physics.Tests.Motion;
 
 /// <summary>
-/// Statics whose setup names a default animation: specification 02, 4.19, and 06, 3. The slab of two metres lies at x = 0, 4 and 8 in the three frames, at x = 30 when
-/// nothing moves it. A tick of 0.04 s is 1.2 frames of 30 a second.
+/// Statics whose setup names a default animation: specification 02, 4.19, and 06, 3. The slab of two metres lies at x = 0, 4 and 8 in the
+/// three frames, at x = 30 when nothing moves it. A tick of 0.04 s is 1.2 frames of 30 a second.
 /// </summary>
 public sealed class AnimatedStaticTests
 {
@@ -73,7 +73,19 @@ public sealed class AnimatedStaticTests
         PhysicsWorld world = Base(null, (i, j) => (i, j) == (3, 4) ? WorldRecords.Wooded : 0, Frames()).Add(new Scene
         {
             Id = WorldRecords.Scene,
-            Objects = [new SceneObject { ObjectId = Mill, BaseFrame = At(new(2, 3, 0)), Frequency = 1, MinSlope = 0, MaxSlope = 2, MinScale = 2, MaxScale = 2 }],
+            Objects =
+            [
+                new SceneObject
+                {
+                    ObjectId = Mill,
+                    BaseFrame = At(new(2, 3, 0)),
+                    Frequency = 1,
+                    MinSlope = 0,
+                    MaxSlope = 2,
+                    MinScale = 2,
+                    MaxScale = 2,
+                },
+            ],
         }).World();
         PhysicsEngine engine = new(world);
         StaticObject mill = Only(world);
@@ -92,7 +104,11 @@ public sealed class AnimatedStaticTests
     {
         Animation broken = new() { Id = Turning, Frames = fault == "no parts" ? [new AnimFrame([])] : [] };
         WorldRecords records = Base(
-            new LandBlockInfo { Id = WorldRecords.Info, Objects = [new StaticRecord(Mill, At(Place)), new StaticRecord(Mill, At(Place + new Vector3(0, 20, 0)))] },
+            new LandBlockInfo
+            {
+                Id = WorldRecords.Info,
+                Objects = [new StaticRecord(Mill, At(Place)), new StaticRecord(Mill, At(Place + new Vector3(0, 20, 0)))],
+            },
             animation: fault == "missing" ? null : broken);
         if (fault == "cut off") records.Add(Turning, [.. broken.Encode()[..12], 7, 0, 0, 0]);
         PhysicsWorld world = records.World();
@@ -174,7 +190,8 @@ public sealed class AnimatedStaticTests
         }
     }
 
-    [Fact, Behaviour("object.animated.cells", "spec/05, 4.7, 5, and 4.17: listed by where its parts are when it is placed; docs/fidelity.md")]
+    [Fact]
+    [Behaviour("object.animated.cells", "spec/05, 4.7, 5, and 4.17: listed by where its parts are when it is placed; docs/fidelity.md")]
     public void The_cells_of_an_animated_static_are_those_of_its_first_frame_whenever_they_are_found()
     {
         PhysicsWorld world = Outdoors().World();

@@ -85,10 +85,12 @@ public class ModifierTests
         const uint FirstOther = 0x20000100, Others = 20;
         MotionAsset plain = new([new AnimationSpan(HumanoidTable.TenFrames, 0, -1, 30f)]);
         MotionTableBuilder table = new MotionTableBuilder(1).Style(Style, MotionCommand.Ready)
-            .Cycle(Style, MotionCommand.Ready, plain).Cycle(Style, MotionCommand.TurnRight, plain).Cycle(Style, MotionCommand.SideStepRight, plain);
+            .Cycle(Style, MotionCommand.Ready, plain).Cycle(Style, MotionCommand.TurnRight, plain).Cycle(Style, MotionCommand.SideStepRight,
+                plain);
         for (uint other = FirstOther; other < FirstOther + Others; other++) table.Modifier(other & MotionCommands.KeyMask, plain);
         MotionTableManager manager = Standing(table.Build());
-        for (uint other = FirstOther; other < FirstOther + Others; other++) Assert.Equal(MotionError.None, manager.DoMotion((MotionCommand)other, 1f));
+        for (uint other = FirstOther; other < FirstOther + Others; other++)
+            Assert.Equal(MotionError.None, manager.DoMotion((MotionCommand)other, 1f));
         manager.DoMotion(MotionCommand.TurnRight, 1f);
         manager.DoMotion(MotionCommand.SideStepRight, 1f);
         Assert.True(manager.Sequence.HasAnimations);

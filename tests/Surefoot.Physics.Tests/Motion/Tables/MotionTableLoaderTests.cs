@@ -40,7 +40,8 @@ public class MotionTableLoaderTests
     public void A_table_is_flattened_from_its_records()
     {
         MotionTableAsset table = MotionTableLoader.Create(Table, Find);
-        Assert.Equal((0x09000001u, MotionCommand.NonCombat, MotionCommand.Ready), (table.Id, table.DefaultStyle, table.DefaultSubstate(MotionCommand.NonCombat)));
+        Assert.Equal((0x09000001u, MotionCommand.NonCombat, MotionCommand.Ready),
+            (table.Id, table.DefaultStyle, table.DefaultSubstate(MotionCommand.NonCombat)));
         AnimationSpan span = table.Cycle(MotionCommand.NonCombat, MotionCommand.Ready)!.Animations[0];
         Assert.Equal((2, new Vector3(0, 1, 0)), (span.Animation.FrameCount, span.Animation.PositionFrames[0].Origin));
         Assert.Same(span.Animation, table.Modifier(MotionCommand.DualWieldCombat, MotionCommand.TurnRight)!.Animations[0].Animation);
@@ -65,7 +66,9 @@ public class MotionTableLoaderTests
         MotionTable table = new()
         {
             Id = 0x09000001,
-            Cycles = [.. new uint[] { missing, unreadable, empty, 0x03000001 }.Select((animation, i) => new KeyedMotion((uint)i, Data(animation)))],
+            Cycles = [
+                .. new uint[] { missing, unreadable, empty, 0x03000001 }.Select(
+                    (animation, i) => new KeyedMotion((uint)i, Data(animation)))],
         };
         MemorySource source = new MemorySource().Add(table, Find(0x03000001)!, new Animation { Id = empty });
         source.Add(unreadable, 0x98, 0, 0, 3, 1);
@@ -104,10 +107,13 @@ public class MotionTableLoaderTests
             PartCount = 2,
             Frames =
             [
-                new AnimFrame([new DatFrame(Vector3.UnitX, Quaternion.Identity), DatFrame.Identity], [new SoundHook(1), new EtherealHook(1) { Direction = 1 }]),
+                new AnimFrame([new DatFrame(Vector3.UnitX, Quaternion.Identity), DatFrame.Identity],
+                    [new SoundHook(1), new EtherealHook(1) { Direction = 1 }]),
                 new AnimFrame(
                     [DatFrame.Identity, new DatFrame(Vector3.UnitY, Quaternion.Identity)],
-                    [new SetOmegaHook(Vector3.UnitZ), new ScaleHook(2, 0.5f) { Direction = -1 }, new ScaleHook(float.NaN, 0), new EtherealHook(0)]),
+                    [
+                        new SetOmegaHook(Vector3.UnitZ), new ScaleHook(2, 0.5f) { Direction = -1 }, new ScaleHook(float.NaN, 0),
+                        new EtherealHook(0)]),
             ],
         };
         AnimationAsset Load(bool parts) => MotionTableLoader.Create(Table, id => id == swing.Id ? swing : null, parts)
@@ -120,7 +126,8 @@ public class MotionTableLoaderTests
         Assert.Equal(
             [
                 new MotionHook(MotionHookKind.Ethereal, 0, 1, Vector3.UnitX), new MotionHook(MotionHookKind.Omega, 1, 0, Vector3.UnitZ),
-                new MotionHook(MotionHookKind.Scale, 1, -1, new Vector3(2, 0.5f, 0)), new MotionHook(MotionHookKind.Ethereal, 1, 0, Vector3.Zero),
+                new MotionHook(MotionHookKind.Scale, 1, -1, new Vector3(2, 0.5f, 0)),
+                new MotionHook(MotionHookKind.Ethereal, 1, 0, Vector3.Zero),
             ],
             animation.Hooks.ToArray());
         Assert.Throws<ArgumentException>(() => new AnimationAsset(1, 2, default, new Physics.Geometry.Frame[3]));

@@ -187,13 +187,15 @@ public class MotionTableTests
     }
 
     [Fact]
-    [Behaviour("motion.table.action-way-back-at-speed-1", "spec/01b, 2.3: the way back is looked up with the substate's speed and added at speed 1")]
+    [Behaviour("motion.table.action-way-back-at-speed-1",
+        "spec/01b, 2.3: the way back is looked up with the substate's speed and added at speed 1")]
     public void The_way_back_of_an_action_is_played_at_its_own_speed()
     {
         AnimationAsset there = new(1, 3), action = new(2, 3), back = new(3, 3);
         static MotionAsset Data(AnimationAsset animation) => new([new AnimationSpan(animation, 0, -1, 30f)]);
         MotionTableManager manager = Ready(new MotionTableBuilder(1).Style(Style, MotionCommand.Ready)
-            .Cycle(Style, MotionCommand.Ready, Data(HumanoidTable.TenFrames)).Cycle(Style, MotionCommand.RunForward, Data(HumanoidTable.TenFrames))
+            .Cycle(Style, MotionCommand.Ready, Data(HumanoidTable.TenFrames)).Cycle(Style, MotionCommand.RunForward,
+                Data(HumanoidTable.TenFrames))
             .Link(Style, MotionCommand.RunForward, MotionCommand.Ready, Data(there))
             .Link(Style, MotionCommand.Ready, Bow, Data(action))
             .Link(Style, MotionCommand.Ready, MotionCommand.RunForward, Data(back)).Build());
@@ -216,7 +218,8 @@ public class MotionTableTests
         MotionAsset plain = new([new AnimationSpan(HumanoidTable.TenFrames, 0, -1, 30f)]);
         MotionAsset special = new([new AnimationSpan(HumanoidTable.TenFrames, 0, -1, 30f)], bitfield: 2);
         MotionTableAsset table = new MotionTableBuilder(1).Style(Style, MotionCommand.Ready)
-            .Cycle(Style, MotionCommand.Ready, plain).Cycle(Style, MotionCommand.WalkForward, plain).Cycle(Style, MotionCommand.Crouch, special).Build();
+            .Cycle(Style, MotionCommand.Ready, plain).Cycle(Style, MotionCommand.WalkForward,
+                plain).Cycle(Style, MotionCommand.Crouch, special).Build();
         MotionTableManager manager = Ready(table);
         manager.DoMotion(MotionCommand.WalkForward, 1f);
         Assert.Equal(MotionError.NoMotionData, manager.DoMotion(MotionCommand.Crouch, 1f));
@@ -234,7 +237,8 @@ public class MotionTableTests
         const MotionCommand Bowing = (MotionCommand)0x8000003F;
         MotionTableAsset table = new MotionTableBuilder(1)
             .Style(Style, MotionCommand.Ready).Style(Combat, MotionCommand.Ready).Style(Bowing, MotionCommand.Ready)
-            .Cycle(Style, MotionCommand.Ready, Data(a)).Cycle(Combat, MotionCommand.Ready, Data(b)).Cycle(Bowing, MotionCommand.Ready, Data(c))
+            .Cycle(Style, MotionCommand.Ready, Data(a)).Cycle(Combat, MotionCommand.Ready,
+                Data(b)).Cycle(Bowing, MotionCommand.Ready, Data(c))
             .Link(Style, MotionCommand.Ready, Combat, Data(b)).Link(Combat, MotionCommand.Ready, Style, Data(a))
             .Link(Style, MotionCommand.Ready, Bowing, Data(c)).Build();
         MotionTableManager manager = Ready(table);
@@ -279,8 +283,10 @@ public class MotionTableTests
     [Behaviour("motion.table.velocity-follows-the-state", "spec/01b, 2")]
     public void Whatever_was_done_before_the_velocity_is_that_of_the_state_now()
     {
-        // One kind of modifier only: with two, re-doing them leaves velocities that no state explains (motion.table.newest-modifier-is-re-done-for-all).
-        MotionCommand[] commands = [MotionCommand.Ready, MotionCommand.WalkForward, MotionCommand.RunForward, MotionCommand.TurnRight, MotionCommand.Falling];
+        // One kind of modifier only: with two, re-doing them leaves velocities that no state explains
+        // (motion.table.newest-modifier-is-re-done-for-all).
+        MotionCommand[] commands = [MotionCommand.Ready, MotionCommand.WalkForward, MotionCommand.RunForward, MotionCommand.TurnRight,
+            MotionCommand.Falling];
         Gen.Select(Gen.Int[0, commands.Length - 1], Gen.Float[-3, 3], Gen.Bool, Gen.Int[0, 3]).List[1, 60].Sample(steps =>
         {
             MotionTableManager manager = Ready();
@@ -292,7 +298,8 @@ public class MotionTableTests
                 manager.CheckForCompletedMotions();
             }
 
-            Vector3 velocity = manager.Table.Cycle(Style, manager.Substate)!.Velocity * manager.SubstateSpeed, omega = manager.Table.Cycle(Style, manager.Substate)!.Omega * manager.SubstateSpeed;
+            Vector3 velocity = manager.Table.Cycle(Style, manager.Substate)!.Velocity * manager.SubstateSpeed,
+                omega = manager.Table.Cycle(Style, manager.Substate)!.Omega * manager.SubstateSpeed;
             for (int i = 0; i < manager.State.ModifierCount; i++)
             {
                 MotionSpeed modifier = manager.State.GetModifier(i);

@@ -62,7 +62,8 @@ public class RedundantLinkTests
     }
 
     [Fact]
-    [Behaviour("motion.table.redundant-links.action-between", "spec/01b, 3: an action with animations ends the search, and is no candidate itself")]
+    [Behaviour("motion.table.redundant-links.action-between",
+        "spec/01b, 3: an action with animations ends the search, and is no candidate itself")]
     public void An_action_between_keeps_the_links()
     {
         Assert.Equal(1, Do(Standing(), MotionCommand.WalkForward, MotionCommand.Ready, MotionCommand.WalkForward));
@@ -79,7 +80,8 @@ public class RedundantLinkTests
             .Style(Style, MotionCommand.Ready).Style(Combat, MotionCommand.Ready)
             .Cycle(Style, MotionCommand.Ready, one).Cycle(Combat, MotionCommand.Ready, one).Cycle(Combat, MotionCommand.WalkForward, one)
             .Link(Style, MotionCommand.Ready, Combat, one).Link(Combat, MotionCommand.Ready, Style, one)
-            .Link(Combat, MotionCommand.Ready, MotionCommand.WalkForward, one).Link(Combat, MotionCommand.WalkForward, MotionCommand.Ready, one).Build();
+            .Link(Combat, MotionCommand.Ready, MotionCommand.WalkForward,
+                one).Link(Combat, MotionCommand.WalkForward, MotionCommand.Ready, one).Build();
         Assert.Equal(1, Do(Standing(table), Combat, Style, Combat));
         // The style that is on has no animations, and is gone back to.
         Assert.Equal(0, Do(Standing(table), Style, Combat, Style));

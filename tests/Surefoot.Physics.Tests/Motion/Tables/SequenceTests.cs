@@ -192,7 +192,8 @@ public class SequenceTests
     [Fact]
     [Behaviour("motion.sequence.distance-is-velocity-times-time", "spec/01b, 1, consequence")]
     public void Over_time_the_distance_is_velocity_times_time() =>
-        Gen.Select(Gen.Float[0.2f, 4.5f], Gen.Float[0.5f, 5f], Gen.Double[0.001, 0.2].List[50, 200], Gen.Int[1, 40]).Sample((speed, velocity, quanta, frames) =>
+        Gen.Select(Gen.Float[0.2f, 4.5f], Gen.Float[0.5f, 5f], Gen.Double[0.001, 0.2].List[50, 200],
+            Gen.Int[1, 40]).Sample((speed, velocity, quanta, frames) =>
         {
             MotionSequence sequence = Cycle(new Vector3(0, velocity, 0), speed, animation: new AnimationAsset(1, frames));
             double total = 0, time = 0;

@@ -152,7 +152,8 @@ public class BallObstacleTests
     [InlineData(0.1, 1.3, 0.1, false, TransitionState.Collided)]
     [InlineData(0.1, 1.3, 0.6, true, TransitionState.OK)]
     [InlineData(0.9, 0.6, 0.6, false, TransitionState.OK)]
-    public void A_probe_finds_no_footing_out_of_reach_on_creatures_and_on_the_flank(float x, float z, float amount, bool creature, TransitionState answer)
+    public void A_probe_finds_no_footing_out_of_reach_on_creatures_and_on_the_flank(
+        float x, float z, float amount, bool creature, TransitionState answer)
     {
         Mover mover = Probe(new(x, 0, z), amount);
         Assert.Equal((answer, Vector3.Zero), (mover.Ask(Ball, creature), mover.Moved));
@@ -178,12 +179,16 @@ public class BallObstacleTests
 
     [Fact, Behaviour("ball.footing", "spec/04, 6.16 and 4.8 row 3")]
     public void A_footing_query_takes_any_touch_creatures_too() =>
-        Assert.Equal(TransitionState.Collided, Walker(new(0, 0, 0.9f), new(0, 0, 0.9f)).With(p => p.CheckingWalkable = true).Ask(Low, creature: true));
+        Assert.Equal(
+            TransitionState.Collided,
+            Walker(new(0, 0, 0.9f), new(0, 0, 0.9f)).With(p => p.CheckingWalkable = true).Ask(Low, creature: true));
 
     [Fact, Behaviour("ball.placement", "spec/04, 4.8 row 1")]
     public void A_placed_body_must_not_touch_the_ball()
     {
-        Assert.Equal(TransitionState.Collided, Walker(new(0, 0, 0.9f), new(0, 0, 0.9f)).With(p => p.InsertType = InsertType.Placement).Ask(Low));
-        Assert.Equal(TransitionState.OK, Walker(new(0, 0, 0.98f), new(0, 0, 0.98f)).With(p => p.InsertType = InsertType.Placement).Ask(Low));
+        Assert.Equal(
+            TransitionState.Collided, Walker(new(0, 0, 0.9f), new(0, 0, 0.9f)).With(p => p.InsertType = InsertType.Placement).Ask(Low));
+        Assert.Equal(
+            TransitionState.OK, Walker(new(0, 0, 0.98f), new(0, 0, 0.98f)).With(p => p.InsertType = InsertType.Placement).Ask(Low));
     }
 }

@@ -124,7 +124,8 @@ public class BoxTreeTests
     [InlineData(1, 1, false, 0, 0)]
     public void A_placed_body_is_pushed_out_of_the_box(float x, float z, bool two, float outX, float outZ)
     {
-        Mover mover = new Mover(Standing, new(x, 1, z), new(x, 1, z), 0.48f, two ? Head : null).With(p => p.InsertType = InsertType.InitialPlacement);
+        Mover mover = new Mover(Standing, new(x, 1, z), new(x, 1, z), 0.48f,
+            two ? Head : null).With(p => p.InsertType = InsertType.InitialPlacement);
         Assert.Equal(TransitionState.Adjusted, mover.Ask(Box));
         Assert.Equal(new Vector3(outX, 0, outZ), mover.Moved);
     }
@@ -132,7 +133,9 @@ public class BoxTreeTests
     [Fact, Behaviour("bsp.placement.hopeless", "spec/04, 6.16: the six polygons in every leaf")]
     public void A_body_deep_in_matter_is_refused_when_every_leaf_has_polygons()
     {
-        Vector3[][] faces = [.. ((Trees.Face[])[Trees.Face.PlusZ, Trees.Face.MinusZ, Trees.Face.PlusX, Trees.Face.MinusX, Trees.Face.PlusY, Trees.Face.MinusY])
+        Trees.Face[] order =
+            [Trees.Face.PlusZ, Trees.Face.MinusZ, Trees.Face.PlusX, Trees.Face.MinusX, Trees.Face.PlusY, Trees.Face.MinusY];
+        Vector3[][] faces = [.. order
             .Select(f => Trees.Corners(f, Vector3.Zero, new(2)))];
         Sphere bounds = new(new(1), 1.7320508f);
         PolygonSet polygons = PolygonSet.FromCorners(faces);

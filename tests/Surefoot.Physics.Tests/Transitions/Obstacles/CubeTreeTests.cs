@@ -40,7 +40,8 @@ public class CubeTreeTests
     [InlineData(0, 0, 1.4, 0.1, false, false)]
     [InlineData(0, 0, 0.7, 0.5, true, true)]
     [InlineData(0.45, 0, 0.55, 0.1, true, true)]
-    public void A_sphere_is_in_solid_by_its_surface_or_when_asked_by_its_centre(float x, float y, float z, float r, bool withCenter, bool surfaceOnly)
+    public void A_sphere_is_in_solid_by_its_surface_or_when_asked_by_its_centre(
+        float x, float y, float z, float r, bool withCenter, bool surfaceOnly)
     {
         Sphere sphere = new(new(x, y, z), r);
         Assert.Equal(withCenter, Cube.SphereIntersectsSolid(sphere, true));
@@ -59,7 +60,8 @@ public class CubeTreeTests
     [InlineData(0, 0, 1.4, 0.1, false, None, None)]
     [InlineData(0, 0, 0.7, 0.5, true, PlusZ, PlusZ)]
     [InlineData(0.45, 0, 0.55, 0.1, true, PlusZ, PlusZ)]
-    public void A_sphere_hits_what_it_moves_against_and_remembers_the_last_overlap(float x, float y, float z, float r, bool hits, int down, int up)
+    public void A_sphere_hits_what_it_moves_against_and_remembers_the_last_overlap(
+        float x, float y, float z, float r, bool hits, int down, int up)
     {
         PolygonContact contact = default;
         Assert.Equal(hits, Cube.SphereIntersectsPoly(new(new(x, y, z), r), new(0, 0, -1), ref contact));

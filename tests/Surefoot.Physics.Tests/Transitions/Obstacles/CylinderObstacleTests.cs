@@ -155,8 +155,12 @@ public class CylinderObstacleTests
     [Fact, Behaviour("cylinder.placement", "spec/04, 4.9 rows 1 and 3")]
     public void Placement_and_footing_take_any_touch()
     {
-        Assert.Equal(TransitionState.Collided, Walker(new(0.9f, 0, 0.5f), new(0.9f, 0, 0.5f)).With(p => p.InsertType = InsertType.Placement).Ask(Cylinder));
-        Assert.Equal(TransitionState.Collided, Walker(new(0.9f, 0, 0.5f), new(0.9f, 0, 0.5f)).With(p => p.CheckingWalkable = true).Ask(Cylinder));
-        Assert.Equal(TransitionState.OK, Walker(new(1, 0, 0.5f), new(1, 0, 0.5f)).With(p => p.InsertType = InsertType.Placement).Ask(Cylinder));
+        Assert.Equal(
+            TransitionState.Collided,
+            Walker(new(0.9f, 0, 0.5f), new(0.9f, 0, 0.5f)).With(p => p.InsertType = InsertType.Placement).Ask(Cylinder));
+        Assert.Equal(
+            TransitionState.Collided, Walker(new(0.9f, 0, 0.5f), new(0.9f, 0, 0.5f)).With(p => p.CheckingWalkable = true).Ask(Cylinder));
+        Assert.Equal(
+            TransitionState.OK, Walker(new(1, 0, 0.5f), new(1, 0, 0.5f)).With(p => p.InsertType = InsertType.Placement).Ask(Cylinder));
     }
 }

@@ -9,8 +9,8 @@ using Surefoot.Physics.World;
 namespace Surefoot.Physics.Tests.Transitions.Obstacles;
 
 /// <summary>
-/// A transition at one attempt: spheres between an accepted and a tried place, and no cell that would let a step-up succeed. The tests here ask an
-/// obstacle once and look at what it did.
+/// A transition at one attempt: spheres between an accepted and a tried place, and no cell that would let a step-up succeed. The tests here
+/// ask an obstacle once and look at what it did.
 /// </summary>
 internal sealed class Mover
 {

@@ -52,11 +52,13 @@ public class ObjectShapeTests
     {
         Sphere[] spheres = [new(new(0, 0, 5), 0.5f)];
         CylSphere[] cylinders = [new(new(0, 0, 8), 0.5f, 1)];
-        SetupAsset all = new SetupAsset { Parts = [new SetupPart(Cube, Vector3.One)], Cylinders = cylinders, Spheres = spheres }.With(0, [Frame.Identity]);
+        SetupAsset all = new SetupAsset { Parts = [new SetupPart(Cube, Vector3.One)], Cylinders = cylinders, Spheres = spheres }
+            .With(0, [Frame.Identity]);
         SetupAsset two = new() { Cylinders = cylinders, Spheres = spheres };
         SetupAsset one = new() { Spheres = spheres };
         Assert.Equal(
-            (TransitionState.Collided, TransitionState.OK, TransitionState.OK), (Touch(all, new(0, 0, 0.55f)), Touch(all, new(0, 0, 8.5f)), Touch(all, new(0, 0, 5))));
+            (TransitionState.Collided, TransitionState.OK, TransitionState.OK),
+            (Touch(all, new(0, 0, 0.55f)), Touch(all, new(0, 0, 8.5f)), Touch(all, new(0, 0, 5))));
         Assert.Equal((TransitionState.Collided, TransitionState.OK), (Touch(two, new(0, 0, 8.5f)), Touch(two, new(0, 0, 5))));
         Assert.Equal(TransitionState.Collided, Touch(one, new(0, 0, 5)));
         Assert.Equal(TransitionState.OK, Touch(new SetupAsset(), Vector3.Zero));

@@ -10,7 +10,9 @@ using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Tests.Transitions.Obstacles;
 
-/// <summary>Whole sweeps against one obstacle: specification 04, 6.17; exact floats. The names of the cases are the specification's.</summary>
+/// <summary>
+/// Whole sweeps against one obstacle: specification 04, 6.17; exact floats. The names of the cases are the specification's.
+/// </summary>
 public class ObstacleSweepTests
 {
     private const MoverFlags Air = MoverFlags.None;
@@ -40,11 +42,14 @@ public class ObstacleSweepTests
     private static Func<Transition, TransitionState> Ball(Vector3 center, bool creature = false) =>
         t => BallObstacle.IntersectsSphere(t, new Sphere(center, 0.5f), creature);
 
-    private static Func<Transition, TransitionState> Pillar(float height, Quaternion? turn = null) => t => CylinderObstacle.IntersectsSphere(
-        t, new Position(StubWorld.CellId, new Frame(new(1.2f, 0, 0), turn ?? Quaternion.Identity)), 1, new CylSphere(Vector3.Zero, 0.5f, height));
+    private static Func<Transition, TransitionState> Pillar(float height, Quaternion? turn = null) =>
+        t => CylinderObstacle.IntersectsSphere(
+        t, new Position(StubWorld.CellId, new Frame(new(1.2f, 0, 0), turn ?? Quaternion.Identity)), 1,
+        new CylSphere(Vector3.Zero, 0.5f, height));
 
     private static Transition Run(
-        Func<Transition, TransitionState> obstacle, Vector3 start, Vector3 way, MoverFlags flags, float? small = null, bool ground = true, float floor = 0)
+        Func<Transition, TransitionState> obstacle, Vector3 start, Vector3 way, MoverFlags flags, float? small = null, bool ground = true,
+        float floor = 0)
     {
         StubWorld world = new(_ => ground ? StubWorld.Flat(0) : null);
         world.Cell.Obstacle = obstacle;
@@ -230,7 +235,8 @@ public class ObstacleSweepTests
 
     [Fact, Behaviour("obstacle.cylinder.rim", "spec/04, 6.17 C8b")]
     public void A_walker_stays_on_the_rim() =>
-        AssertEnds(Run(Pillar(0.5f), new(1.6f, 0, 0.5f), new(0.3f, 0, 0), Stand, floor: 0.5f), 1.9000001f, 0, 0.49999997f, Stand, PrintsNoNormal);
+        AssertEnds(Run(Pillar(0.5f), new(1.6f, 0, 0.5f), new(0.3f, 0, 0), Stand, floor: 0.5f), 1.9000001f, 0, 0.49999997f, Stand,
+            PrintsNoNormal);
 
     [Fact, Behaviour("obstacle.cylinder.refused-step", "spec/04, 6.17 C9, C9b")]
     public void A_refused_step_slides_with_a_normal_that_turns_with_the_object()

@@ -71,7 +71,8 @@ public class TargetRuleTests
     [Fact, Behaviour("object.target.ethereal-and-ignored", "spec/02, 4.21, step 1")]
     public void An_ethereal_thing_that_ignores_collisions_is_not_noticed()
     {
-        Assert.Equal(Outcome.Passes, Meet(Player, Plain, WeenieTraits.None, Ethereal | PhysicsState.IgnoreCollisions, MoverFlags.None, out _));
+        Assert.Equal(Outcome.Passes,
+            Meet(Player, Plain, WeenieTraits.None, Ethereal | PhysicsState.IgnoreCollisions, MoverFlags.None, out _));
         Assert.Equal(Outcome.Stops, Meet(Player, Plain, WeenieTraits.None, Plain | PhysicsState.IgnoreCollisions, MoverFlags.None, out _));
     }
 
@@ -112,7 +113,8 @@ public class TargetRuleTests
     }
 
     private static Outcome Meet(
-        WeenieTraits moverWeenie, PhysicsState moverState, WeenieTraits weenie, PhysicsState state, MoverFlags flags, out CollisionInfo info, bool stepDown = false)
+        WeenieTraits moverWeenie, PhysicsState moverState, WeenieTraits weenie, PhysicsState state, MoverFlags flags,
+        out CollisionInfo info, bool stepDown = false)
     {
         Transition transition = new(new StubWorld(_ => null));
         transition.Reset();

@@ -16,7 +16,8 @@ public class TreePropertyTests
     private static readonly Gen<float> Unit = Gen.Float[-1f, 1f];
     private static readonly Gen<Vector3> Point = Gen.Select(Unit, Unit, Unit, (x, y, z) => new Vector3(x, y, z));
 
-    private static readonly Gen<Vector3[]> Triangle = Gen.Select(Point, Point, Point, (center, a, b) => (Vector3[])[center * 3, (center * 3) + a, (center * 3) + b])
+    private static readonly Gen<Vector3[]> Triangle = Gen.Select(
+        Point, Point, Point, (center, a, b) => (Vector3[])[center * 3, (center * 3) + a, (center * 3) + b])
         .Where(t => Vector3.Cross(t[1] - t[0], t[2] - t[0]).Length() > 0.05f);
 
     /// <summary>A soup of triangles under a tree that splits it by the planes of its own triangles.</summary>
@@ -39,7 +40,8 @@ public class TreePropertyTests
             int node = builder.AddNode(plane, everything);
             // A triangle in the plane belongs behind it; one that the plane cuts belongs to both sides.
             builder.SetPositive(node, Add([.. members.Where(m => triangles[m].Any(c => RetailMath.Distance(plane, c) > 1e-4))], depth + 1));
-            builder.SetNegative(node, Add([.. members.Where(m => triangles[m].Any(c => RetailMath.Distance(plane, c) <= 1e-4))], depth + 1));
+            builder.SetNegative(
+                node, Add([.. members.Where(m => triangles[m].Any(c => RetailMath.Distance(plane, c) <= 1e-4))], depth + 1));
             return node;
         }
     }
@@ -65,7 +67,10 @@ public class TreePropertyTests
     public void A_tree_has_the_footing_its_polygons_have_one_by_one() =>
         Gen.Select(Soup, Probe).Sample(
             (tree, sphere) => Assert.Equal(
-                All(tree).Any(i => tree.Polygons[i].IsWalkableAndHit(sphere, Vector3.UnitZ, RetailMath.FloorZ) && tree.Polygons[i].SupportsSmallFoot(sphere, Vector3.UnitZ)),
+                All(tree).Any(
+                    i =>
+                        tree.Polygons[i].IsWalkableAndHit(sphere, Vector3.UnitZ, RetailMath.FloorZ) &&
+                            tree.Polygons[i].SupportsSmallFoot(sphere, Vector3.UnitZ)),
                 tree.HitsWalkable(sphere, Vector3.UnitZ, RetailMath.FloorZ)),
             iter: Fuzz.Cases(3000));
 
@@ -103,9 +108,11 @@ public class TreePropertyTests
             (tree, at, way, mode, kind, two) =>
             {
                 MoverFlags flags = ((MoverFlags[])[
-                    MoverFlags.None, MoverFlags.Contact | MoverFlags.OnWalkable, MoverFlags.PathClipped, MoverFlags.PathClipped | MoverFlags.PerfectClip,
+                    MoverFlags.None, MoverFlags.Contact | MoverFlags.OnWalkable, MoverFlags.PathClipped,
+                    MoverFlags.PathClipped | MoverFlags.PerfectClip,
                     MoverFlags.OnWalkable])[kind];
-                Mover mover = new Mover(flags, at * 4, (at * 4) + (way * 0.5f), 0.48f, two ? new Vector3(0, 0, 0.87f) : null).LastStoodOn(Vector3.UnitZ);
+                Mover mover = new Mover(flags, at * 4, (at * 4) + (way * 0.5f), 0.48f,
+                    two ? new Vector3(0, 0, 0.87f) : null).LastStoodOn(Vector3.UnitZ);
                 mover.Path.StepDownAmount = 0.6f;
                 mover.Path.SteppingDown = mode == 1;
                 mover.Path.Collide = mode == 2;
@@ -127,15 +134,19 @@ public class TreePropertyTests
             (at, way, mode, kind, two, ball, size) =>
             {
                 MoverFlags flags = ((MoverFlags[])[
-                    MoverFlags.None, MoverFlags.Contact | MoverFlags.OnWalkable, MoverFlags.PathClipped, MoverFlags.PathClipped | MoverFlags.PerfectClip,
+                    MoverFlags.None, MoverFlags.Contact | MoverFlags.OnWalkable, MoverFlags.PathClipped,
+                    MoverFlags.PathClipped | MoverFlags.PerfectClip,
                     MoverFlags.OnWalkable])[kind];
-                Mover mover = new Mover(flags, at * 2, (at * 2) + (way * 0.5f), 0.48f, two ? new Vector3(0, 0, 0.87f) : null).LastStoodOn(Vector3.UnitZ);
+                Mover mover = new Mover(flags, at * 2, (at * 2) + (way * 0.5f), 0.48f,
+                    two ? new Vector3(0, 0, 0.87f) : null).LastStoodOn(Vector3.UnitZ);
                 mover.Path.StepDownAmount = 0.6f;
                 mover.Path.SteppingDown = mode == 1;
                 mover.Path.Collide = mode == 2;
                 mover.Path.CheckingWalkable = mode == 3;
                 if (mode == 4) mover.Path.InsertType = InsertType.Placement;
-                TransitionState state = ball ? mover.Ask(new Sphere(Vector3.Zero, size)) : mover.Ask(new CylSphere(Vector3.Zero, size, 1.5f * size));
+                TransitionState state = ball
+                    ? mover.Ask(new Sphere(Vector3.Zero, size))
+                    : mover.Ask(new CylSphere(Vector3.Zero, size, 1.5f * size));
                 Assert.True(RetailMath.IsFinite(mover.At));
                 if (state is TransitionState.OK or TransitionState.Collided) Assert.Equal(Vector3.Zero, mover.Moved);
                 Vector3 n = mover.Collision.CollisionNormal;
@@ -152,9 +163,12 @@ public class TreePropertyTests
                 Frame pose = new(turn, Quaternion.Normalize(new Quaternion(turn.Z, turn.X, turn.Y, 0.5f)));
                 SetupAsset setup = new SetupAsset { Parts = [new SetupPart(mesh, new(1, 1, 0.7f))] }.With(0, [pose]);
                 WorldObject target = new(2, setup, PhysicsState.Static) { Scale = scale };
-                target.SeatAt(new Position(Mover.CellId, new Frame(at * (near ? 5 : 150), Quaternion.Normalize(new Quaternion(turn, 0.3f)))), null);
+                target.SeatAt(
+                    new Position(Mover.CellId, new Frame(at * (near ? 5 : 150), Quaternion.Normalize(new Quaternion(turn, 0.3f)))), null);
 
-                Mover Fresh() => new Mover(MoverFlags.None, way * 5, (way * 5) + (at * 0.4f), 0.48f, new Vector3(0, 0, 0.87f)).LastStoodOn(Vector3.UnitZ);
+                Mover Fresh() =>
+                    new Mover(MoverFlags.None, way * 5, (way * 5) + (at * 0.4f), 0.48f,
+                        new Vector3(0, 0, 0.87f)).LastStoodOn(Vector3.UnitZ);
                 Mover through = Fresh(), direct = Fresh();
                 Position part = new(Mover.CellId, SetupAsset.PlacePart(target.Position.Frame, pose, scale));
                 TransitionState expected = mesh.FindCollisions(direct.Transition, part, (float)((double)0.7f * scale));

@@ -61,7 +61,8 @@ public class WallTreeTests
     [InlineData(0.3, 0.1, 0.4, 0, 0, 0, 0, 0, 1, TransitionState.Adjusted, -0.150000006, -0.0500000007, 0.0399999917)]
     [InlineData(0.3, 0.3, 0.48, -1, 0, 0, 0, 0, 0, TransitionState.Slid, -0.300000012, 0, 0)]
     public void A_slide_leaves_what_runs_along_wall_and_floor(
-        float x, float y, float z, float nx, float ny, float nz, float fx, float fy, float fz, TransitionState answer, float ox, float oy, float oz)
+        float x, float y, float z, float nx, float ny, float nz, float fx, float fy, float fz, TransitionState answer, float ox, float oy,
+        float oz)
     {
         Vector3 curr = new(0, 0, 0.48f), normal = new(nx, ny, nz);
         Mover mover = new Mover(Standing, curr, new(x, y, z), 0.48f).Standing(new(fx, fy, fz));
@@ -118,7 +119,8 @@ public class WallTreeTests
     [InlineData(-0.42, 0.899999976, -0.499999911)]
     public void A_probe_reaches_a_floor_half_its_length_above_where_it_began(float z, float lift, float interp)
     {
-        Mover mover = new Mover(Standing, new(0, 0, 1), new(0.1f, 0, z), 0.48f, Head).With(p => (p.SteppingDown, p.StepDownAmount) = (true, 0.6f));
+        Mover mover = new Mover(Standing, new(0, 0, 1), new(0.1f, 0, z), 0.48f, Head)
+            .With(p => (p.SteppingDown, p.StepDownAmount) = (true, 0.6f));
         float before = mover.At.Z;
         Assert.Equal(TransitionState.Adjusted, mover.Ask(Floor));
         Assert.Equal((before + lift, interp), (mover.At.Z, mover.Path.WalkInterp));
@@ -127,7 +129,8 @@ public class WallTreeTests
     [Fact, Behaviour("bsp.step-down.tangent", "spec/04, 6.10")]
     public void A_probe_that_is_exactly_tangent_finds_nothing()
     {
-        Mover mover = new Mover(Standing, new(0, 0, 1), new(0.1f, 0, 0.48f), 0.48f, Head).With(p => (p.SteppingDown, p.StepDownAmount) = (true, 0.6f));
+        Mover mover = new Mover(Standing, new(0, 0, 1), new(0.1f, 0, 0.48f), 0.48f,
+            Head).With(p => (p.SteppingDown, p.StepDownAmount) = (true, 0.6f));
         Assert.Equal(TransitionState.OK, mover.Ask(Floor));
     }
 
@@ -152,7 +155,8 @@ public class WallTreeTests
     {
         foreach (MoverFlags flags in (MoverFlags[])[Standing, MoverFlags.None, MoverFlags.PathClipped, PerfectMissile])
         {
-            foreach (Action<SpherePath> mode in (Action<SpherePath>[])[_ => { }, p => p.SteppingDown = true, p => p.Collide = true, p => p.CheckingWalkable = true])
+            Action<SpherePath>[] modes = [_ => { }, p => p.SteppingDown = true, p => p.Collide = true, p => p.CheckingWalkable = true];
+            foreach (Action<SpherePath> mode in modes)
             {
                 Mover mover = new Mover(flags, new(0, 0, 1), new(0.1f, 0, 0.3f), 0.48f, Head).With(mode);
                 mover.Path.StepDownAmount = 0.6f;

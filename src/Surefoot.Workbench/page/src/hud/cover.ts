@@ -11,11 +11,13 @@ const texts: Record<CoverState, [string, string]> = {
   open: ["Loading the land…", ""],
   lost: [
     "The workbench is not answering",
-    "What you see is the last picture. It goes on by itself as soon as the server is back; if the server was stopped, start it again with ./play or surefoot play.",
+    "What you see is the last picture. It goes on by itself as soon as the server is back; if the server was stopped, " +
+      "start it again with ./play or surefoot play.",
   ],
   dark: [
     "The picture is lost",
-    "The browser took the graphics card away: the machine slept, its driver started anew, or too many pages draw. It goes on by itself when the browser gives it back; if it does not, reload the page.",
+    "The browser took the graphics card away: the machine slept, its driver started anew, or too many pages draw. " +
+      "It goes on by itself when the browser gives it back; if it does not, reload the page.",
   ],
   full: ["No way in yet", "The workbench lets no more players in, or is gone. Trying again…"],
 };

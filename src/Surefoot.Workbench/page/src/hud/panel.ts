@@ -34,7 +34,7 @@ export class Panel {
     );
     this.set("slope", contact ? `${((Math.acos(Math.min(1, Math.max(-1, n.z))) * 180) / Math.PI).toFixed(1)}°` : "–");
     this.set("quantum", `${(pose.quantum * 1000).toFixed(1)} ms`);
-    this.set("step", String(pose.step));
+    this.set("tick", String(pose.tick));
     this.set("players", String(pose.players));
   }
 

@@ -26,7 +26,7 @@ describe("a place in words", () => {
       ["0xA9B40001,1", "two, three or four"],
       ["0xA9B40001,1,2,3,4,5", "two, three or four"],
       ["0xA9B40100,1,2", "needs its height"],
-      ["0xA9B40001,1,2,3,0,0,0,0", "the rotation is none"],
+      ["0xA9B40001,1,2,3,0,0,0,0", "the rotation has no length"],
     ])
       expect(parseSpot(text)).toEqual({ error: expect.stringContaining(reason) });
   });

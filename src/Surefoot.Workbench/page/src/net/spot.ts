@@ -5,7 +5,7 @@ import { formatCell } from "./world";
 
 const degree = Math.PI / 180;
 
-/** A spot, or why the words are none. */
+/** A spot, or why the words name none. */
 export type ParsedSpot = { spot: Spot } | { error: string };
 
 /** Do the words begin as a spot does, and not as a name? */
@@ -32,7 +32,7 @@ export function parseSpot(text: string): ParsedSpot {
     case 4:
       return { spot: { cell, x, y, z, yaw: -turn[0] * degree } };
     case 7:
-      return Math.hypot(...turn) > 0 ? { spot: { cell, x, y, z, yaw: yawOf(turn) } } : { error: "the rotation is none" };
+      return Math.hypot(...turn) > 0 ? { spot: { cell, x, y, z, yaw: yawOf(turn) } } : { error: "the rotation has no length" };
     default:
       return { error: "a place is a cell and two, three or four numbers: x, y, z and a heading" };
   }

@@ -1,4 +1,5 @@
-// Poses come when physics steps; frames are drawn when the screen is ready. A timeline keeps the last poses and answers for any moment between them.
+// Poses come when the physics ticks; frames are drawn when the screen is ready. A timeline keeps the last poses and answers for any moment
+// between them.
 
 import { type Pose, PoseFlag, type Vec3 } from "./wire";
 import { toGlobal } from "./world";
@@ -26,8 +27,8 @@ const keep = 32;
 const longestGuess = 0.1;
 
 /**
- * Seconds over which the drawn path is averaged. Retail hands out ground movement in whole animation frames, so that a runner's steps are unequal; on screen
- * that would be a shiver.
+ * Seconds over which the drawn path is averaged. Retail hands out ground movement in whole animation frames, so that a runner's steps are
+ * unequal; on screen that would be a shiver.
  */
 export const smoothOver = 0.08;
 const smoothSamples = 8;
@@ -71,7 +72,7 @@ export class PoseTimeline {
     return { ...middle, position, yaw: middle.yaw + turned, late: this.entries[this.entries.length - 1].time < time + smoothOver / 2 };
   }
 
-  /** Mean velocity of the last tenth of a second; a single step's is uneven. */
+  /** Mean velocity of the last tenth of a second; a single tick's is uneven. */
   private recentVelocity(): Vec3 {
     const last = this.entries[this.entries.length - 1];
     const first = this.entries.find((one) => one.time >= last.time - longestGuess - 0.01) ?? last;
@@ -82,7 +83,10 @@ export class PoseTimeline {
     return { x: (b.x - a.x) / seconds, y: (b.y - a.y) / seconds, z: (b.z - a.z) / seconds };
   }
 
-  /** The pose at a moment as it came: between two poses on the line that joins them; past the last one, onward at its velocity for a tenth of a second at most. */
+  /**
+   * The pose at a moment as it came: between two poses on the line that joins them; past the last one, onward at its velocity for a tenth
+   * of a second at most.
+   */
   private sample(time: number): Drawn | null {
     const entries = this.entries;
     if (entries.length === 0) return null;
@@ -126,8 +130,8 @@ export function wrapAngle(angle: number): number {
 }
 
 /**
- * Guesses the server's clock from when poses arrive. The fastest arrival of the last seconds is the best guess of the offset; how late the others come
- * sets how far behind to draw, so that two poses are there to draw between.
+ * Guesses the server's clock from when poses arrive. The fastest arrival of the last seconds is the best guess of the offset; how late the
+ * others come sets how far behind to draw, so that two poses are there to draw between.
  */
 export class ServerClock {
   private readonly arrivals: { at: number; offset: number }[] = [];

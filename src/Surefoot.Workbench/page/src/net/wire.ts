@@ -61,7 +61,10 @@ export interface Welcome extends Settings {
   minQuantum: number;
 }
 
-/** What both one's own pose and another player's say. Position: metres in the landblock of `cell`. Yaw: radians, counter-clockwise from north. */
+/**
+ * What both one's own pose and another player's say. Position: metres in the landblock of `cell`. Yaw: radians, counter-clockwise from
+ * north.
+ */
 export interface Pose {
   teleports: number;
   flags: number;
@@ -77,7 +80,7 @@ export interface Pose {
 
 export interface OwnPose extends Pose {
   kind: "pose";
-  step: number;
+  tick: number;
   sequence: number;
   planeNormal: Vec3;
   planeDistance: number;
@@ -138,7 +141,7 @@ export interface Touches {
   touches: Touch[];
 }
 
-/** A part of an object that an animation moves, after a step: metres in its landblock. */
+/** A part of an object that an animation moves, after a tick: metres in its landblock. */
 export interface MovingPart {
   block: number;
   object: number;
@@ -225,7 +228,7 @@ function decodePose(read: Reader): OwnPose {
     kind: "pose",
     teleports: read.u8(),
     flags: read.u16(),
-    step: read.u32(),
+    tick: read.u32(),
     sequence: read.u32(),
     time: read.f64(),
     cell: read.u32(),

@@ -1,9 +1,11 @@
-// Cuts away what hides the player: whatever lies between the camera and the player, floors above the room the player is in, and the shell of the building
-// that the player or the camera is inside of. Materials discard the fragments; nothing is moved or rebuilt.
+// Cuts away what hides the player: whatever lies between the camera and the player, floors above the room the player is in, and the shell
+// of the building that the player or the camera is inside of. Materials discard the fragments; nothing is moved or rebuilt.
 
 import * as THREE from "three";
 
-/** Metres above the feet of the middle of what must be seen, its half width and half height, and by how much the rim of the cut is wider. */
+/**
+ * Metres above the feet of the middle of what must be seen, its half width and half height, and by how much the rim of the cut is wider.
+ */
 const targetHeight = 1.15;
 const clearWidth = 0.6;
 const clearHeight = 0.8;
@@ -77,7 +79,8 @@ const fragmentHead = /* glsl */ `
     vec3 aside = normalize(cross(way, vec3(0.0, 0.0, 1.0)) + vec3(1e-5, 0.0, 0.0));
     vec3 off = from - way * (along / far);
     float across = dot(off, aside);
-    float beside = length(vec2(across / ${clearWidth.toFixed(2)}, length(off - aside * across) / ${clearHeight.toFixed(2)})) / (cone * max(1.0, far / ${growsFrom.toFixed(1)}));
+    vec2 apart = vec2(across / ${clearWidth.toFixed(2)}, length(off - aside * across) / ${clearHeight.toFixed(2)});
+    float beside = length(apart) / (cone * max(1.0, far / ${growsFrom.toFixed(1)}));
     float edge = (beside - 1.0) / ${(rim - 1).toFixed(2)};
     return edge < cutGrain();
   }

@@ -1,5 +1,5 @@
-// Simple materials for walls, floors and ceilings, so that a room can be read: boards and plaster in houses, stone in dungeons, courses of stone outside.
-// They are worked out from where a surface is and how it faces; shapes for collisions have no coordinates of textures.
+// Simple materials for walls, floors and ceilings, so that a room can be read: boards and plaster in houses, stone in dungeons, courses of
+// stone outside. They are worked out from where a surface is and how it faces; shapes for collisions have no coordinates of textures.
 
 import type * as THREE from "three";
 
@@ -41,7 +41,8 @@ const fragmentHead = /* glsl */ `
   float rows(float along, float across, float reach, float wide, float width, float spread) {
     float row = floor(across / wide);
     float shifted = along + reach * chance(vec2(row, 7.0));
-    float tone = 1.0 + spread * (chance(vec2(row, floor(shifted / reach))) - 0.5) * (1.0 - smoothstep(0.2 * wide, 0.8 * wide, fwidth(across)));
+    float seen = 1.0 - smoothstep(0.2 * wide, 0.8 * wide, fwidth(across));
+    float tone = 1.0 + spread * (chance(vec2(row, floor(shifted / reach))) - 0.5) * seen;
     return tone * (1.0 - 0.45 * max(joint(across, wide, width), joint(shifted, reach, width)));
   }
 

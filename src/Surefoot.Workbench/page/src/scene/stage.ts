@@ -96,7 +96,10 @@ export class Stage {
     return seen;
   }
 
-  /** The view in a small picture: red, green, blue and alpha of each pixel, 0 to 255, row by row from the bottom. Shadows are those of the last frame. */
+  /**
+   * The view in a small picture: red, green, blue and alpha of each pixel, 0 to 255, row by row from the bottom. Shadows are those of the
+   * last frame.
+   */
   picture(width: number, height: number): Uint8Array {
     const target = new THREE.WebGLRenderTarget(width, height, { colorSpace: THREE.SRGBColorSpace });
     const shadows = this.renderer.shadowMap.autoUpdate;

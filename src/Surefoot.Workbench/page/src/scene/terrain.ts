@@ -51,7 +51,10 @@ export class Terrain {
     for (const [block, mesh] of this.meshes) this.place(mesh, block);
   }
 
-  /** Fetches, builds and drops blocks for a player in this block; a few are built a call, so that no frame waits long. True when something was built. */
+  /**
+   * Fetches, builds and drops blocks for a player in this block; a few are built a call, so that no frame waits long. True when something
+   * was built.
+   */
   update(block: number): boolean {
     if (block !== this.center) this.moveTo(block);
     if (this.missing.length === 0) return false;

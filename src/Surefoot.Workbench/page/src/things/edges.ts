@@ -1,5 +1,5 @@
-// The edges by which a shape is read: where faces meet at an angle, and where they end. Seams between faces that go on in the same plane are none, also
-// where a long side meets several short ones.
+// The edges by which a shape is read: where faces meet at an angle, and where they end. Seams between faces that go on in the same plane
+// are no edges, also where a long side meets several short ones.
 
 import * as THREE from "three";
 
@@ -24,7 +24,9 @@ interface Side {
   faces: { face: Face; opposite: THREE.Vector3 }[];
 }
 
-/** Edges: pairs of ends, three numbers each, and with each end the normals of the two faces that meet there, or twice that of the only one. */
+/**
+ * Edges: pairs of ends, three numbers each, and with each end the normals of the two faces that meet there, or twice that of the only one.
+ */
 export interface Edges {
   ends: Float32Array;
   faceA: Float32Array;

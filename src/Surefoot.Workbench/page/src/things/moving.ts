@@ -1,4 +1,4 @@
-// Where the parts of objects are that animations move, for any moment between the steps that told it.
+// Where the parts of objects are that animations move, for any moment between the ticks that told it.
 
 import * as THREE from "three";
 import type { Moving, MovingPart } from "../net/wire";
@@ -46,7 +46,10 @@ export class MovingParts {
     }
   }
 
-  /** Puts a part of a landblock's object, drawn in that landblock's frame, where it is at a moment; false, and hidden, when nothing is known of it. */
+  /**
+   * Puts a part of a landblock's object, drawn in that landblock's frame, where it is at a moment; false, and hidden, when nothing is known
+   * of it.
+   */
   place(block: number, object: number, part: number, time: number, drawn: THREE.Object3D): boolean {
     const entries = this.told.get(keyOf({ block, object, part }));
     drawn.visible = entries !== undefined;

@@ -1,4 +1,5 @@
-// Objects, buildings, rooms and scenery around the player: the shapes that bodies collide with, plants drawn as plants unless the plain shapes are asked for.
+// Objects, buildings, rooms and scenery around the player: the shapes that bodies collide with, plants drawn as plants unless the plain
+// shapes are asked for.
 
 import * as THREE from "three";
 import { decodeShapes, type MovingShape, type NamedShape, type Shapes } from "../net/shapes";

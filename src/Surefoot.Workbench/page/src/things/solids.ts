@@ -127,7 +127,10 @@ function meshOf(positions: Float32Array, material: THREE.Material): THREE.Mesh {
   return mesh;
 }
 
-/** Boards below, timber above, plaster between, one wall a little lighter than the next: rooms lie in the shade, where light alone shows no edges. */
+/**
+ * Boards below, timber above, plaster between, one wall a little lighter than the next: rooms lie in the shade, where light alone shows no
+ * edges.
+ */
 function roomColors(normals: THREE.BufferAttribute | THREE.InterleavedBufferAttribute): Float32Array {
   const colors = new Float32Array(normals.count * 3);
   const floor = new THREE.Color(0xa07c50);
