@@ -5,6 +5,7 @@ using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.Queries;
 using Surefoot.Physics.Steering;
+using Surefoot.Physics.Transitions;
 using Surefoot.Physics.World;
 
 namespace Surefoot.Physics;
@@ -179,10 +180,10 @@ public sealed class PhysicsEngine : ILoadListener
     public SweepResult Resolve(
         SetupAsset setup, in Position from, in Position to, PhysicsState state = PhysicsState.Default,
         WeenieTraits weenie = WeenieTraits.None) =>
-        (own ??= CreateQuery()).Sweep(new SweepInput(new Mover(setup, state, weenie), from, to));
+        (own ??= new WorldQuery(population, population.Transitions)).Sweep(new SweepInput(new Mover(setup, state, weenie), from, to));
 
     /// <summary>Work objects for one more thread that asks about this world.</summary>
-    public WorldQuery CreateQuery() => new(population);
+    public WorldQuery CreateQuery() => new(population, new TransitionPool(population.Cells));
 
     /// <summary>Bodies whose cell came with a landblock enter the world again, and its animated statics begin to move.</summary>
     /// <param name="block">The landblock.</param>

@@ -8,8 +8,8 @@ namespace Surefoot.Physics.Bodies;
 /// <param name="Position">Cell and frame.</param>
 /// <param name="Velocity">m/s, world axes.</param>
 /// <param name="Transient">Changing bits.</param>
-/// <param name="ContactPlane">The plane touched.</param>
-/// <param name="ContactPlaneCellId">Cell whose block frame the plane is in.</param>
+/// <param name="ContactPlane">The plane touched; zero for none.</param>
+/// <param name="ContactPlaneCellId">Cell whose block frame the plane is in; 0 for none.</param>
 /// <param name="SlidingNormal">Normal of the wall slid along.</param>
 /// <param name="TouchesEnvironment">A collision with the environment was reported and has not ended.</param>
 public readonly record struct BodySeat(
@@ -23,5 +23,19 @@ public readonly record struct BodySeat(
         if (!RetailMath.IsFinite(ContactPlane.Normal) || !float.IsFinite(ContactPlane.D))
             throw new ArgumentException("The contact plane is not finite.", name);
         if (!RetailMath.IsFinite(SlidingNormal)) throw new ArgumentException("The sliding normal is not finite.", name);
+        // A missile that has hit a creature is in contact with no plane.
+        if (ContactPlaneCellId != 0 && ContactPlane.Normal != Vector3.Zero) ThrowIfNoFooting(ContactPlane, ContactPlaneCellId, name);
+        if ((Transient & (TransientState.OnWalkable | TransientState.Contact)) == TransientState.OnWalkable)
+            throw new ArgumentException("What touches nothing stands on nothing: OnWalkable is set without Contact.", name);
+    }
+
+    /// <summary>A plane that is touched is finite, has a normal of unit length, and is in the frame of a block.</summary>
+    internal static void ThrowIfNoFooting(in Plane plane, uint cellId, string name)
+    {
+        if (!RetailMath.IsFinite(plane.Normal) || !float.IsFinite(plane.D))
+            throw new ArgumentException("The contact plane is not finite.", name);
+        if (Math.Abs(RetailMath.LengthSquared(plane.Normal) - 1.0) > 1e-3)
+            throw new ArgumentException("The normal of the contact plane is not of unit length.", name);
+        if (!CellIds.HasValidIndex(cellId)) throw new ArgumentException($"0x{cellId:X8}, the contact plane's, cannot name a cell.", name);
     }
 }

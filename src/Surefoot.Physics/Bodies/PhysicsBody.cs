@@ -235,8 +235,10 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody, IHookTarget
     /// Re-seats the body in the state of a recorded quantum, without any test: for replays, for saved states, and for servers that check a
     /// client's report.
     /// </summary>
+    /// <param name="seat">The state. A velocity above the greatest is cut down to it by the next quantum, as any.</param>
     /// <exception cref="ArgumentException">
-    /// A number of the state is not finite, or its id cannot name a cell; nothing has changed.
+    /// A number of the state is not finite, a normal not of unit length, an id cannot name a cell, or it stands on what it does not touch;
+    /// nothing has changed.
     /// </exception>
     public void Seat(in BodySeat seat)
     {

@@ -1,5 +1,5 @@
 using System.Numerics;
-using Surefoot.Physics.Geometry;
+using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Transitions;
 
 namespace Surefoot.Physics.Queries;
@@ -18,11 +18,5 @@ public readonly record struct Contact(Plane Plane, uint CellId, bool IsWater = f
     internal static Contact? Of(CollisionInfo met) =>
         met.ContactPlaneValid ? new Contact(met.ContactPlane, met.ContactPlaneCellId, met.ContactPlaneIsWater) : null;
 
-    internal void ThrowIfBad(string name)
-    {
-        if (!RetailMath.IsFinite(Plane.Normal) || !float.IsFinite(Plane.D))
-            throw new ArgumentException("The contact plane is not finite.", name);
-        if (Math.Abs(RetailMath.LengthSquared(Plane.Normal) - 1.0) > 1e-3)
-            throw new ArgumentException("The normal of the contact plane is not of unit length.", name);
-    }
+    internal void ThrowIfBad(string name) => BodySeat.ThrowIfNoFooting(Plane, CellId, name);
 }

@@ -15,14 +15,15 @@ public sealed class Mover
     public const int MaxSpheres = SpherePath.MaxSpheres;
 
     /// <summary>
-    /// A mover of the shape that bodies have. Of more than <see cref="MaxSpheres"/> spheres the first ones count, as for bodies.
+    /// A mover of a shape as the files have it. Of more than <see cref="MaxSpheres"/> spheres the first ones count, as for every body of
+    /// that shape.
     /// </summary>
     /// <param name="setup">The shape; one without spheres is a ball of 0.1 m.</param>
     /// <param name="state">Physics state word: edge sliding, missile, ethereal and so on.</param>
     /// <param name="weenie">What a server says of it: players pass players, and so on.</param>
     /// <param name="scale">Uniform scale, more than 0.</param>
     /// <exception cref="ArgumentException">
-    /// A sphere or a step height of the shape is not a positive finite number, or the scale is not.
+    /// A radius or the scale is not a positive finite number, a sphere's centre is not finite, or a step height is not or is less than 0.
     /// </exception>
     public Mover(SetupAsset setup, PhysicsState state = PhysicsState.Default, WeenieTraits weenie = WeenieTraits.None, float scale = 1f)
     {
@@ -30,8 +31,8 @@ public sealed class Mover
         if (!(scale > 0) || !float.IsFinite(scale)) throw new ArgumentException("The scale is not a positive number.", nameof(scale));
         foreach (ref readonly Sphere sphere in setup.Spheres[..Math.Min(setup.Spheres.Length, MaxSpheres)])
             sphere.ThrowIfBad(nameof(setup));
-        if (!float.IsFinite(setup.StepUpHeight) || !float.IsFinite(setup.StepDownHeight))
-            throw new ArgumentException("A step height of the shape is not finite.", nameof(setup));
+        if (!IsHeight(setup.StepUpHeight) || !IsHeight(setup.StepDownHeight))
+            throw new ArgumentException("A step height of the shape is not finite, or less than 0.", nameof(setup));
         Object = new WorldObject(0, setup, state & ~PhysicsState.Static) { Weenie = weenie, Scale = scale };
     }
 
@@ -42,7 +43,8 @@ public sealed class Mover
     /// <param name="state">Physics state word.</param>
     /// <param name="weenie">What a server says of it.</param>
     /// <exception cref="ArgumentException">
-    /// There is no sphere, there are more than <see cref="MaxSpheres"/>, or a radius or a height is not a positive finite number.
+    /// There is no sphere, there are more than <see cref="MaxSpheres"/>, a radius is not a positive finite number, a centre is not finite,
+    /// or a height is not or is less than 0.
     /// </exception>
     public Mover(
         ReadOnlySpan<Sphere> spheres, float stepUpHeight, float stepDownHeight, PhysicsState state = PhysicsState.Default,
@@ -65,6 +67,8 @@ public sealed class Mover
 
     /// <summary>The mover as the world sees it: an object that is in no cell.</summary>
     internal WorldObject Object { get; }
+
+    private static bool IsHeight(float height) => height >= 0 && float.IsFinite(height);
 
     private static SetupAsset MakeSetup(ReadOnlySpan<Sphere> spheres, float stepUpHeight, float stepDownHeight)
     {

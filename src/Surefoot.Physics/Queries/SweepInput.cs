@@ -1,5 +1,6 @@
 using System.Numerics;
 using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Geometry;
 using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Queries;
@@ -16,8 +17,17 @@ public readonly record struct SweepInput(Mover Mover, Position From, Position To
     /// </summary>
     public Contact? Contact { get; init; }
 
-    /// <summary>Horizontal unit normal of the wall it slides along, or null; the result of a sweep has it for the next one.</summary>
+    /// <summary>
+    /// Unit normal of the wall it slides along, or null; the result of a sweep has it for the next one. Zero for a wall that has ended.
+    /// </summary>
     public Vector3? SlidingNormal { get; init; }
+
+    internal static void ThrowIfNoWall(Vector3 normal, string name)
+    {
+        if (!RetailMath.IsFinite(normal)) throw new ArgumentException("The sliding normal is not finite.", name);
+        if (normal != Vector3.Zero && Math.Abs(RetailMath.LengthSquared(normal) - 1.0) > 1e-3)
+            throw new ArgumentException("The sliding normal is neither of unit length nor zero.", name);
+    }
 
     internal BodySeat Begin(in Position from)
     {

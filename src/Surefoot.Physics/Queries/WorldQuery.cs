@@ -27,17 +27,21 @@ public sealed partial class WorldQuery
     private readonly TransitionPool work;
     private readonly TraceBuffer heard = new();
 
-    internal WorldQuery(Population population)
+    /// <summary>A query of a worker.</summary>
+    /// <param name="population">Whom it asks about.</param>
+    /// <param name="work">The worker's work objects.</param>
+    internal WorldQuery(Population population, TransitionPool work)
     {
         this.population = population;
-        work = new TransitionPool(population.Cells);
+        this.work = work;
     }
 
     /// <summary>Where a mover ends that goes a way in one quantum.</summary>
     /// <param name="input">Who goes where.</param>
     /// <param name="trace">Is told each decision.</param>
     /// <exception cref="ArgumentException">
-    /// A position, the contact or the wall is not finite, an id cannot name a cell, or the way is longer than <see cref="MostSubSteps"/>.
+    /// A position, the contact or the wall is not finite, a normal not of unit length, an id cannot name a cell, or the way is longer than
+    /// <see cref="MostSubSteps"/>.
     /// </exception>
     /// <remarks>Retail: CTransition::find_transitional_position @0x0050BDF0.</remarks>
     public SweepResult Sweep(in SweepInput input, TraceBuffer? trace = null)
@@ -45,8 +49,7 @@ public sealed partial class WorldQuery
         ArgumentNullException.ThrowIfNull(input.Mover, nameof(input));
         PhysicsBody.ThrowIfBad(input.From, nameof(input));
         input.Contact?.ThrowIfBad(nameof(input));
-        if (input.SlidingNormal is { } normal && !RetailMath.IsFinite(normal))
-            throw new ArgumentException("The sliding normal is not finite.", nameof(input));
+        if (input.SlidingNormal is { } normal) SweepInput.ThrowIfNoWall(normal, nameof(input));
         Position from = input.From;
         population.Cells.AdjustPosition(ref from, TransitionSeeds.FootOf(input.Mover.Object), out ObjCell? cell);
         return Sweep(input.Mover.Object, input.Begin(from), cell, input.To, trace, nameof(input));

@@ -21,11 +21,37 @@ public sealed class QueryInputTests
         Assert.True(query.Sweep(input with { Contact = new Contact(new Plane(Vector3.UnitZ, 0), Ask.Land) }).Found);
     }
 
+    [Theory, Behaviour("query.contact.cell", "design, decision 7")]
+    [InlineData(0u)]
+    [InlineData(0xA9B40000u)]
+    [InlineData(0xA9B40041u)]
+    [InlineData(0xA9B4FFFEu)]
+    public void A_contact_in_the_frame_of_no_block_is_refused(uint id)
+    {
+        WorldQuery query = Ask.Engine(0xA9B40000).CreateQuery();
+        SweepInput input = new(Ask.Walker, Ask.At(10, 10, 0), Ask.At(10, 11, 0));
+        Assert.ThrowsAny<ArgumentException>(() => query.Sweep(input with { Contact = new Contact(new Plane(Vector3.UnitZ, 0), id) }));
+    }
+
+    [Fact, Behaviour("query.sliding-normal.of-unit-length", "design, decision 7")]
+    public void A_wall_slid_along_has_a_unit_normal_or_none()
+    {
+        WorldQuery query = Ask.Engine(0xA9B40000).CreateQuery();
+        Contact ground = new(new Plane(Vector3.UnitZ, 0), Ask.Land);
+        SweepInput input = new(Ask.Walker, Ask.At(10, 10, 0), Ask.At(10, 11, 0)) { Contact = ground };
+        foreach (Vector3 normal in (Vector3[])[new(2, 0, 0), new(0.9f, 0, 0), new(1e30f, 0, 0)])
+            Assert.ThrowsAny<ArgumentException>(() => query.Sweep(input with { SlidingNormal = normal }));
+        foreach (Vector3 normal in (Vector3[])[Vector3.UnitX, Vector3.Zero])
+            Assert.True(query.Sweep(input with { SlidingNormal = normal }).Found);
+    }
+
     [Theory, Behaviour("query.mover.bad-input", "design, decision 7")]
     [InlineData(float.NaN, 0.5f, 1f)]
     [InlineData(0.5f, float.PositiveInfinity, 1f)]
     [InlineData(0.5f, 0.5f, 0f)]
     [InlineData(0.5f, 0.5f, float.NaN)]
+    [InlineData(-0.1f, 0.5f, 1f)]
+    [InlineData(0.5f, -0.1f, 1f)]
     public void A_mover_of_a_shape_has_finite_step_heights_and_a_positive_scale(float up, float down, float scale)
     {
         SetupAsset setup = new() { Spheres = [new Sphere(new Vector3(0, 0, 0.5f), 0.5f)], StepUpHeight = up, StepDownHeight = down };

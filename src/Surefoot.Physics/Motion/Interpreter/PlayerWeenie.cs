@@ -4,9 +4,9 @@ namespace Surefoot.Physics.Motion;
 /// <param name="RunSkill">Run skill, 0 or more.</param>
 /// <param name="JumpSkill">Jump skill, 0 or more.</param>
 /// <param name="Stamina">Stamina; at 0 every skill counts as 0.</param>
-/// <param name="Strength">Strength.</param>
-/// <param name="Augmentations">Carrying augmentations.</param>
-/// <param name="Burden">What is carried, in burden units.</param>
+/// <param name="Strength">Strength; 0 or less carries nothing, and counts as a load of 3.</param>
+/// <param name="Augmentations">Carrying augmentations; fewer than 0 count as 0, more than 5 as 5.</param>
+/// <param name="Burden">What is carried, in burden units; less than 0 counts as 0.</param>
 public readonly record struct CharacterStats(
     int RunSkill, int JumpSkill, int Stamina = 100, int Strength = 100, int Augmentations = 0, int Burden = 0)
 {
