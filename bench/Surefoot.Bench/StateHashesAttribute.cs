@@ -21,7 +21,7 @@ internal sealed class StateHashesAttribute : Attribute, IConfigSource
 
         public string ColumnName => "State hash";
 
-        public string Legend => "Hash of the states after every step of the scene; tests/data/state-hashes.txt has those on record";
+        public string Legend => "Hash of the states after every quantum of the scene; tests/data/state-hashes.txt has those on record";
 
         public bool AlwaysShow => true;
 

@@ -32,7 +32,7 @@ public static class DemoWorldCache
     /// cannot be written to is replaced by a folder for temporary files.
     /// </remarks>
     /// <param name="seed">The world's seed.</param>
-    /// <param name="progress">Told about each step when the world has to be written.</param>
+    /// <param name="progress">Told how far it is when the world has to be written.</param>
     /// <param name="notice">Told in one sentence when the cache cannot be written to.</param>
     /// <exception cref="IOException">The folder for temporary files cannot be written to either.</exception>
     /// <exception cref="UnauthorizedAccessException">It is not the caller's to write to.</exception>

@@ -32,7 +32,7 @@ public readonly record struct Place(Position Position, bool OnGround = false)
         for (int i = 1; i < parts.Length; i++)
         {
             bool isNumber = float.TryParse(parts[i], NumberStyles.Float, CultureInfo.InvariantCulture, out numbers[i - 1]);
-            if (!isNumber || !float.IsFinite(numbers[i - 1])) throw Refusal(text, $"{parts[i]} is no number; {Forms}");
+            if (!isNumber || !float.IsFinite(numbers[i - 1])) throw Refusal(text, $"{parts[i]} is not a finite number; {Forms}");
         }
 
         bool onGround = parts.Length == 3;

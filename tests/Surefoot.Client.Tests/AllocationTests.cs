@@ -8,13 +8,13 @@ using Surefoot.Physics.World;
 
 namespace Surefoot.Client.Tests;
 
-/// <summary>A step in steady state allocates nothing: neither the keys, nor the motions, nor the body, nor its transition.</summary>
+/// <summary>A quantum in steady state allocates nothing: neither the keys, nor the motions, nor the body, nor its transition.</summary>
 public sealed class AllocationTests(DemoFiles files) : IClassFixture<DemoFiles>
 {
-    private const int Steps = 200;
+    private const int Quanta = 200;
 
     [Theory]
-    [Behaviour("performance.step-allocates-nothing", "design.md, decision 4")]
+    [Behaviour("performance.quantum-allocates-nothing", "design.md, decision 4")]
     [InlineData("runway", MovementKeys.Forward)]
     [InlineData("hills", MovementKeys.Forward | MovementKeys.TurnRight)]
     [InlineData("slope-50", MovementKeys.Forward)]
@@ -22,12 +22,12 @@ public sealed class AllocationTests(DemoFiles files) : IClassFixture<DemoFiles>
     public void A_walking_player_allocates_nothing(string place, MovementKeys keys)
     {
         DemoWalk walk = new(files, place, new CharacterStats(300, 300));
-        walk.Hold(keys, Steps);
-        Assert.Equal(0, Allocated(() => Step(walk)));
+        walk.Hold(keys, Quanta);
+        Assert.Equal(0, Allocated(() => Advance(walk)));
     }
 
     [Theory]
-    [Behaviour("performance.step-among-obstacles-allocates-nothing", "design.md, decision 4")]
+    [Behaviour("performance.quantum-among-obstacles-allocates-nothing", "design.md, decision 4")]
     [InlineData("forest", MovementKeys.Forward)]
     [InlineData("town", MovementKeys.Forward)]
     [InlineData("long-stair", MovementKeys.Forward)]
@@ -109,19 +109,19 @@ public sealed class AllocationTests(DemoFiles files) : IClassFixture<DemoFiles>
     {
         DemoWalk walk = new(files, place, new CharacterStats(300, 300));
         TraceBuffer trace = walk.Body.Trace = new TraceBuffer();
-        Action step = Repeated(walk, SeatOf(walk.Body, walk.Position, Vector3.Zero, walk.Body.Transient), 50);
+        Action advance = Repeated(walk, SeatOf(walk.Body, walk.Position, Vector3.Zero, walk.Body.Transient), 50);
         walk.Hold(MovementKeys.Forward, 2);
         int most = 0;
         Assert.Equal(0, Allocated(() =>
         {
             trace.Clear();
-            step();
+            advance();
             most = Math.Max(most, trace.Count);
         }));
         Assert.True(most > 10);
     }
 
-    /// <summary>Steps that begin again from a seat every so often.</summary>
+    /// <summary>Quanta that begin again from a seat every so often.</summary>
     private static Action Repeated(DemoWalk walk, BodySeat seat, int period)
     {
         int count = 0;
@@ -136,13 +136,13 @@ public sealed class AllocationTests(DemoFiles files) : IClassFixture<DemoFiles>
     private static BodySeat SeatOf(PhysicsBody body, in Position position, Vector3 velocity, TransientState bits) =>
         new(position, velocity, bits, body.ContactPlane, body.ContactPlaneCellId, Vector3.Zero);
 
-    private static void Step(DemoWalk walk) => walk.Body.AdvanceQuantum(1f / 30);
+    private static void Advance(DemoWalk walk) => walk.Body.AdvanceQuantum(1f / 30);
 
-    private static long Allocated(Action step)
+    private static long Allocated(Action advance)
     {
-        for (int i = 0; i < Steps; i++) step();
+        for (int i = 0; i < Quanta; i++) advance();
         long before = GC.GetAllocatedBytesForCurrentThread();
-        for (int i = 0; i < Steps; i++) step();
+        for (int i = 0; i < Quanta; i++) advance();
         return GC.GetAllocatedBytesForCurrentThread() - before;
     }
 }

@@ -25,11 +25,11 @@ public sealed class CornerTests(DemoFiles files) : IClassFixture<DemoFiles>
         {
             DemoWalk walk = new(files, "corners", Runner, eastward: 2.5f, northward: 4, heading: heading);
             walk.Hold(MovementKeys.Forward, 90, () => AssertOutsideWalls(walk, heading));
-            // A step that would go into a wall is not shortened but bent, so that up to one step is left to either wall.
+            // A sub-step that would go into a wall is not shortened but bent, so that up to one sub-step is left to either wall.
             Vector3 rest = walk.FromPlace;
-            float step = (float)(11 * 1.0 / 30) + 0.1f;
+            float stride = (float)(11 * 1.0 / 30) + 0.1f;
             Assert.True(
-                4.5f - Radius - rest.X < step && 6 - Radius - rest.Y < step,
+                4.5f - Radius - rest.X < stride && 6 - Radius - rest.Y < stride,
                 $"at {heading} degrees the run ended at {rest}");
             walk.Hold(MovementKeys.Forward, 30);
             Assert.True(Vector3.Distance(rest, walk.FromPlace) < 0.002f, $"at {heading} degrees the corner trembles");

@@ -22,7 +22,7 @@ public sealed class DoorwayTests(DemoFiles files) : IClassFixture<DemoFiles>
         for (int angle = -80; angle <= 80; angle += 5)
         {
             // The straight way clears the corners of the jambs, 0.6 m aside and 0.15 m before and behind the middle, by the body's radius
-            // or more. A flatter way may be caught there, since a slide only bends a step; it must not lose the room.
+            // or more. A flatter way may be caught there, since a slide only bends a sub-step; it must not lose the room.
             double radians = angle * Math.PI / 180;
             bool clears = (0.6 * Math.Cos(radians)) - (0.15 * Math.Abs(Math.Sin(radians))) > 0.48;
             // Three metres from the middle of the doorway, aiming at it.
@@ -84,7 +84,7 @@ public sealed class DoorwayTests(DemoFiles files) : IClassFixture<DemoFiles>
         "spec/03, 4.4 find_transitional_position 5c and adjust_offset; spec/02, 4.4 step 8")]
     public void Whoever_pushes_exactly_head_on_stays_blocked_by_the_door_that_opens_until_he_turns()
     {
-        // The wall's normal of the last move is kept until a move succeeds, and takes the whole of a head-on step.
+        // The wall's normal of the last move is kept until a move succeeds, and takes the whole of a head-on sub-step.
         DemoWalk walk = new(files, "door", Runner);
         PhysicsBody door = walk.Spawn(DemoSpawnKind.Door)[0];
         walk.Hold(MovementKeys.Forward, 40);

@@ -96,7 +96,7 @@ public sealed class ObstacleTests(DemoFiles files) : IClassFixture<DemoFiles>
     [InlineData(800)]
     public void The_seam_between_two_stair_objects_is_run_over_up_and_down_with_the_ground_under_the_feet(int runSkill)
     {
-        // 24 steps of 0.25 m in two objects that meet 3 m up, and a platform of 5 m.
+        // 24 stairs of 0.25 m in two objects that meet 3 m up, and a platform of 5 m.
         DemoWalk up = new(files, "long-stair", new CharacterStats(runSkill, 200));
         float last = up.Z;
         for (int frame = 0; frame < 300 && up.Moved.Y < 5 + 7.2f + 1; frame++)
@@ -117,7 +117,7 @@ public sealed class ObstacleTests(DemoFiles files) : IClassFixture<DemoFiles>
 
     [Fact]
     [Behaviour("obstacles.standing-indoors-never-moves", "spec/02, 4.4 step 6")]
-    public void Standing_still_indoors_moves_by_no_bit_in_ten_thousand_steps()
+    public void Standing_still_indoors_moves_by_no_bit_in_ten_thousand_quanta()
     {
         DemoWalk walk = new(files, "house-hall", Runner);
         walk.Hold(MovementKeys.None, 60);

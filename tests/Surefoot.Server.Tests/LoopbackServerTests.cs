@@ -221,12 +221,12 @@ public class LoopbackServerTests
         LoopbackServer server = LoggedIn(new CharacterStats(300, 300), latency: 1);
         Silent silent = new();
         MoveToState move = Asks(new WireRawMotion(RunKey, forwardCommand: WalkForward));
-        for (int i = 0; i < 100; i++) Step(i);
+        for (int i = 0; i < 100; i++) Advance(i);
         long before = GC.GetAllocatedBytesForCurrentThread();
-        for (int i = 100; i < 300; i++) Step(i);
+        for (int i = 100; i < 300; i++) Advance(i);
         Assert.Equal(0, GC.GetAllocatedBytesForCurrentThread() - before);
 
-        void Step(int i)
+        void Advance(int i)
         {
             server.Send(move, i * 0.1);
             server.Receive(i * 0.1, silent);

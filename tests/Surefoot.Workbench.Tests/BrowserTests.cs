@@ -89,8 +89,8 @@ public sealed class BrowserTests(Browser browser)
     }
 
     [Fact]
-    [Behaviour("workbench.browser.smooth-between-steps", "design.md")]
-    public async Task Drawn_positions_follow_the_path_between_physics_steps()
+    [Behaviour("workbench.browser.smooth-between-ticks", "design.md")]
+    public async Task Drawn_positions_follow_the_path_between_ticks_of_the_physics()
     {
         await using Tab tab = await browser.OpenAsync();
         await tab.Page.Keyboard.DownAsync("w");

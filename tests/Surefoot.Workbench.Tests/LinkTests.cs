@@ -69,7 +69,7 @@ public sealed class LinkTests(Browser browser)
     [InlineData("?at=0xA9B50032,156,24,-500", "at=0xA9B50032,156,24,-500", "under the ground")]
     [InlineData("?at=0xA9B50032,1e30,24,20", "at=0xA9B50032,1e30,24,20", "outside the map")]
     [InlineData("?at=0xA9B5FFFF,1,2,3", "at=0xA9B5FFFF,1,2,3", "cannot name a cell")]
-    [InlineData("?at=0xA9B50032,NaN,2,3", "at=0xA9B50032,NaN,2,3", "no number")]
+    [InlineData("?at=0xA9B50032,NaN,2,3", "at=0xA9B50032,NaN,2,3", "not a finite number")]
     [InlineData("?at=Atlantis&on=walls&colour=%3Cb%3Ered", "at=Atlantis", "on=walls", "colour=<b>red")]
     public async Task A_link_with_impossible_values_opens_the_start_and_one_line_says_what_was_ignored(string query, params string[] said)
     {

@@ -53,7 +53,7 @@ public sealed class TouchTests : IDisposable
 
     [Fact]
     [Behaviour("workbench.touches.held-along-a-wall", "spec/03, 4.6 adjust_offset: a sweep that is bent along a wall does not meet it")]
-    public void Who_runs_along_a_wall_touches_it_at_every_step()
+    public void Who_runs_along_a_wall_touches_it_in_every_quantum()
     {
         IWorkbenchPlayer player = Enter("house-hall");
         player.SetKeys(PlayerKeys.SidestepLeft, now);

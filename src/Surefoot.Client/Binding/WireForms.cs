@@ -10,7 +10,7 @@ namespace Surefoot.Client;
 internal static class WireForms
 {
     /// <summary>
-    /// The greatest factor on a speed that is believed; servers send single digits. A sweep goes in steps of a body's radius, so that a
+    /// The greatest factor on a speed that is believed; servers send single digits. A sweep goes in sub-steps of a body's radius, so that a
     /// quantum at a millionfold speed would take seconds.
     /// </summary>
     private const float MaxSpeed = 1000;

@@ -63,7 +63,7 @@ public sealed class DatFileEditor : IDisposable
     {
         ArgumentNullException.ThrowIfNull(record);
         if (record is not RawRecord && DatIds.RecordTypeOf(record.Id, kind) != record.Type)
-            throw new ArgumentException($"0x{record.Id:X8} is no id of a {record.Type} in a {kind} file.", nameof(record));
+            throw new ArgumentException($"0x{record.Id:X8} is not the id of a {record.Type} in a {kind} file.", nameof(record));
         return Put(record.Id, record.Encode(), iteration, date);
     }
 

@@ -47,7 +47,7 @@ public sealed class DatFileWriter
     {
         ArgumentNullException.ThrowIfNull(record);
         if (record is not RawRecord && DatIds.RecordTypeOf(record.Id, kind) != record.Type)
-            throw new ArgumentException($"0x{record.Id:X8} is no id of a {record.Type} in a {kind} file.", nameof(record));
+            throw new ArgumentException($"0x{record.Id:X8} is not the id of a {record.Type} in a {kind} file.", nameof(record));
         return Add(record.Id, record.Encode());
     }
 

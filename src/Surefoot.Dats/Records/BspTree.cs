@@ -23,17 +23,17 @@ public sealed class BspTree
         {
             Span<BspNode> known = CollectionsMarshal.AsSpan(nodes);
             BspNode node = known[visit.Node];
-            if (visit.Next == Step.Positive)
+            if (visit.Next == Stage.Positive)
             {
-                open.Push(visit with { Next = Step.Negative });
+                open.Push(visit with { Next = Stage.Negative });
                 if (!BspNode.HasPositive(node.Tag))
                     continue;
                 known[visit.Node] = node with { Positive = nodes.Count };
                 Begin(ref reader, kind, nodes, open);
             }
-            else if (visit.Next == Step.Negative)
+            else if (visit.Next == Stage.Negative)
             {
-                open.Push(visit with { Next = Step.Rest });
+                open.Push(visit with { Next = Stage.Rest });
                 if (!BspNode.HasNegative(node.Tag))
                     continue;
                 known[visit.Node] = node with { Negative = nodes.Count };
@@ -53,28 +53,28 @@ public sealed class BspTree
         DatWriter.Require(!Nodes.IsDefaultOrEmpty, "A tree needs a root; there is no empty tree.");
         var open = new Stack<Visit>();
         int visited = 0;
-        open.Push(new(0, Step.Start));
+        open.Push(new(0, Stage.Start));
         while (open.TryPop(out Visit visit))
         {
             DatWriter.Require((uint)visit.Node < (uint)Nodes.Length, "A child index of a tree lies outside its nodes.");
             BspNode node = Nodes[visit.Node];
             switch (visit.Next)
             {
-                case Step.Start:
+                case Stage.Start:
                     DatWriter.Require(visited++ < Nodes.Length, "A node of a tree is the child of two nodes.");
                     WriteStart(writer, kind, node);
                     if (!node.IsLeaf)
-                        open.Push(visit with { Next = Step.Positive });
+                        open.Push(visit with { Next = Stage.Positive });
                     break;
-                case Step.Positive:
-                    open.Push(visit with { Next = Step.Negative });
+                case Stage.Positive:
+                    open.Push(visit with { Next = Stage.Negative });
                     if (BspNode.HasPositive(node.Tag))
-                        open.Push(new(node.Positive, Step.Start));
+                        open.Push(new(node.Positive, Stage.Start));
                     break;
-                case Step.Negative:
-                    open.Push(visit with { Next = Step.Rest });
+                case Stage.Negative:
+                    open.Push(visit with { Next = Stage.Rest });
                     if (BspNode.HasNegative(node.Tag))
-                        open.Push(new(node.Negative, Step.Start));
+                        open.Push(new(node.Negative, Stage.Start));
                     break;
                 default:
                     WriteRest(writer, kind, node);
@@ -95,7 +95,7 @@ public sealed class BspTree
 
         if (tag == BspTag.Port && kind != BspKind.Drawing)
             reader.Remark("a PORT node outside a drawing tree", reader.Position - 4);
-        open.Push(new(nodes.Count, Step.Positive));
+        open.Push(new(nodes.Count, Stage.Positive));
         nodes.Add(new BspNode { Tag = tag, Plane = reader.ReadPlane() });
     }
 
@@ -170,7 +170,7 @@ public sealed class BspTree
     private static bool HasSphere(BspKind kind, BspTag tag)
         => kind == BspKind.Drawing || (kind == BspKind.Physics && tag != BspTag.Port);
 
-    private enum Step
+    private enum Stage
     {
         Start,
         Positive,
@@ -178,5 +178,5 @@ public sealed class BspTree
         Rest,
     }
 
-    private readonly record struct Visit(int Node, Step Next);
+    private readonly record struct Visit(int Node, Stage Next);
 }

@@ -184,8 +184,8 @@ public sealed record DayGroup(float Chance, string Name, ImmutableArray<SkyObjec
 
 /// <summary>The sky of a region (spec 07, 7.15).</summary>
 /// <remarks>Retail: SkyDesc::UnPack @0x00501CD0.</remarks>
-/// <param name="TickSize">Seconds between steps of the sky.</param>
-/// <param name="LightTickSize">Seconds between steps of the light.</param>
+/// <param name="TickSize">Seconds between ticks of the sky.</param>
+/// <param name="LightTickSize">Seconds between ticks of the light.</param>
 /// <param name="DayGroups">Kinds of days.</param>
 public sealed record SkyDescription(double TickSize, double LightTickSize, ImmutableArray<DayGroup> DayGroups)
 {

@@ -54,7 +54,7 @@ internal static class LandPlaces
         var terrain = plan.Terrain;
         var (column, row) = Best(25, 6, 39, 18, (c, r) => terrain.Height(c, r));
         plan.AddPlace("hills", "In the rolling hills", (column + 0.5) * Cell, (row + 0.5) * Cell, 300,
-            "Run downhill and uphill at full speed: feet keep the ground on every step.");
+            "Run downhill and uphill at full speed: feet keep the ground in every stride.");
         plan.AddPlace("valley", "The river valley", 9.2 * Cell, 23.2 * Cell, 140,
             "Follow the river down to the lake between the hills.");
     }
@@ -75,7 +75,7 @@ internal static class LandPlaces
         distance += 6;
         plan.AddPlace(
             "foot-of-the-mountain", "The foot of the mountain", summitX - (distance * diagonal), summitY - (distance * diagonal), 45,
-            "Climb: a few steps ahead the ground gets too steep to stand on.");
+            "Climb: a few metres ahead the ground gets too steep to stand on.");
     }
 
     private static void AddCliff(WorldPlan plan)

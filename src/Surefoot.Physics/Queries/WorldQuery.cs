@@ -21,7 +21,7 @@ public sealed partial class WorldQuery
     public const int MostSubSteps = 100_000;
 
     /// <summary>A share of the foot's radius that is one sub-step whatever the rounding.</summary>
-    private const float ProbeStep = 0.9375f;
+    private const float ProbeStride = 0.9375f;
 
     private readonly Population population;
     private readonly TransitionPool work;
@@ -142,13 +142,13 @@ public sealed partial class WorldQuery
         Transition transition = Rent(told);
         try
         {
-            float from = at.Frame.Origin.Z, step = ProbeStep * RadiusOf(mover);
-            ThrowIfTooMany(input.Depth / (double)step, nameof(input));
+            float from = at.Frame.Origin.Z, stride = ProbeStride * RadiusOf(mover);
+            ThrowIfTooMany(input.Depth / (double)stride, nameof(input));
             ProbeDownResult result = default;
-            for (float left = input.Depth; left > 0; left -= step)
+            for (float left = input.Depth; left > 0; left -= stride)
             {
                 Position below = at;
-                below.Frame.Origin.Z -= Math.Min(left, step);
+                below.Frame.Origin.Z -= Math.Min(left, stride);
                 if (below.Frame.Origin.Z == at.Frame.Origin.Z) break;
                 transition.Reset();
                 BodySeat falling = new(at, Vector3.Zero, TransientState.None, default, 0, Vector3.Zero);

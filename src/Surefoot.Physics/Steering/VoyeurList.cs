@@ -76,7 +76,7 @@ internal sealed class VoyeurList
         return true;
     }
 
-    /// <summary>Begins to walk the list, which steps on before each voyeur is told.</summary>
+    /// <summary>Begins to walk the list, which goes on before each voyeur is told.</summary>
     /// <returns>Place of the first voyeur, negative when there is none.</returns>
     internal int BeginWalk()
     {

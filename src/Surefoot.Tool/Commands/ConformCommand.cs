@@ -47,7 +47,7 @@ internal static class ConformCommand
         });
         Command command = new(
             "conform",
-            "Replays recordings and prints how much comes out the same: walks free-running and re-seated before each step, sweeps, " +
+            "Replays recordings and prints how much comes out the same: walks free-running and re-seated before each quantum, sweeps, " +
             "placements and walks of a peer, runs of the managers that move other bodies, and sessions between a client and a server. " +
             "What hangs on the last bit of a float, or differs for a known reason, is counted apart.\n\nExample:\n" +
             "  surefoot conform --dats tests/data/worlds/first tests/data/vectors --worst 10\n" +
@@ -96,9 +96,9 @@ internal static class ConformCommand
 
     private static void PrintScenes(ConformanceReport report)
     {
-        Table table = NewTable(["scene"], "walks", "steps", "re-seated steps equal", "free-running walks equal");
+        Table table = NewTable(["scene"], "walks", "quanta", "re-seated quanta equal", "free-running walks equal");
         foreach ((string name, SceneScore reseated, SceneScore free) in report.Scenes)
-            table.AddRow(name.EscapeMarkup(), $"{reseated.Cases}", $"{reseated.Steps}", $"{reseated.StepsEqual}", $"{free.CasesEqual}");
+            table.AddRow(name.EscapeMarkup(), $"{reseated.Cases}", $"{reseated.Quanta}", $"{reseated.QuantaEqual}", $"{free.CasesEqual}");
         Terminal.Write(table);
     }
 

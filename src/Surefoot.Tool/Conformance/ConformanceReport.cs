@@ -27,13 +27,13 @@ internal sealed class ConformanceReport
     /// <summary>Recorded sessions.</summary>
     internal CaptureScore Captures { get; } = new();
 
-    /// <summary>A walk that only diverges when it runs freely hangs on a last bit: from each recorded state its step is equal.</summary>
+    /// <summary>A walk that only diverges when it runs freely hangs on a last bit: from each recorded state its quantum is equal.</summary>
     internal void Add(WalkCase walk, in WalkOutcome reseated, in WalkOutcome free)
     {
         if (!scenes.TryGetValue(walk.Scene, out var scene)) scenes[walk.Scene] = scene = (new SceneScore(), new SceneScore());
-        bool stepsHold = reseated.Equal + reseated.LastBit == reseated.Steps && reseated.First is not { Step: < 0 };
-        foreach (SceneScore score in (SceneScore[])[scene.Reseated, Reseated]) score.Add(reseated, stepsHold);
-        foreach (SceneScore score in (SceneScore[])[scene.Free, FreeRunning]) score.Add(free, stepsHold);
+        bool quantaHold = reseated.Equal + reseated.LastBit == reseated.Quanta && reseated.First is not { Index: < 0 };
+        foreach (SceneScore score in (SceneScore[])[scene.Reseated, Reseated]) score.Add(reseated, quantaHold);
+        foreach (SceneScore score in (SceneScore[])[scene.Free, FreeRunning]) score.Add(free, quantaHold);
         if ((reseated.First ?? free.First) is not { } divergence) return;
         Divergences.Add(reseated.First is null ? divergence with { Reason = Divergence.LastBit } : divergence);
     }
@@ -45,7 +45,7 @@ internal sealed class ConformanceReport
         if (listed || result.Difference is not { } difference) return;
         string? reason = result.Departure ?? (result.HangsOnLastBit ? Divergence.LastBit : null);
         string scene = $"{result.Family} {result.Tag}";
-        Divergences.Add(new Divergence(result.Id, scene, result.Step ?? -1, StepDifference.Result, difference, reason));
+        Divergences.Add(new Divergence(result.Id, scene, result.Quantum ?? -1, StateDifference.Result, difference, reason));
     }
 
     internal void Add(ManagerResult result)
@@ -55,7 +55,7 @@ internal sealed class ConformanceReport
         if (result.Difference is not { } difference) return;
         string? reason = result.IsTight ? Divergence.LastBit : null;
         string scene = $"{result.Family} {result.Tag}";
-        Divergences.Add(new Divergence(result.Id, scene, result.Equal, StepDifference.Result, difference, reason));
+        Divergences.Add(new Divergence(result.Id, scene, result.Equal, StateDifference.Result, difference, reason));
     }
 
     internal void Add(IReadOnlyCollection<CaptureResult> session)
@@ -64,7 +64,7 @@ internal sealed class ConformanceReport
         foreach (CaptureResult finding in session)
         {
             if (finding.Difference is not { } difference) continue;
-            Divergences.Add(new Divergence(finding.Session, finding.What, finding.Number, StepDifference.Result, difference.TrimStart()));
+            Divergences.Add(new Divergence(finding.Session, finding.What, finding.Number, StateDifference.Result, difference.TrimStart()));
         }
     }
 
@@ -75,11 +75,11 @@ internal sealed class ConformanceReport
         List<Verdict> verdicts = [];
         if (Reseated.Cases > 0)
         {
-            (int hangingSteps, int hangingWalks) = (Reseated.StepsLastBit, FreeRunning.CasesLastBit);
-            verdicts.Add(new Verdict("walks", "re-seated steps", Reseated.Steps - hangingSteps, Reseated.StepsEqual)
+            (int hangingQuanta, int hangingWalks) = (Reseated.QuantaLastBit, FreeRunning.CasesLastBit);
+            verdicts.Add(new Verdict("walks", "re-seated quanta", Reseated.Quanta - hangingQuanta, Reseated.QuantaEqual)
             {
                 Required = required ?? Verdict.Walks,
-                Apart = Hanging(hangingSteps),
+                Apart = Hanging(hangingQuanta),
             });
             verdicts.Add(new Verdict("walks", "free-running walks", FreeRunning.Cases - hangingWalks, FreeRunning.CasesEqual)
             {
@@ -144,9 +144,9 @@ internal sealed class ConformanceReport
         all.Cases,
         all.CasesEqual,
         all.CasesLastBit,
-        all.Steps,
-        all.StepsEqual,
-        all.StepsLastBit,
+        all.Quanta,
+        all.QuantaEqual,
+        all.QuantaLastBit,
         Scenes = scenes.ToDictionary(s => s.Key, s => pick(s.Value)),
     };
 }

@@ -114,7 +114,7 @@ internal sealed class ConformanceRun(DirectoryInfo? folder, SceneFilter scenes) 
         });
         foreach (OracleResult result in results.SelectMany(some => some))
         {
-            Report.Add(result, departures.Contains(OracleReplay.KeyOf(result.Id, result.Step)));
+            Report.Add(result, departures.Contains(OracleReplay.KeyOf(result.Id, result.Quantum)));
             progress(file.Progress, 100);
         }
     }

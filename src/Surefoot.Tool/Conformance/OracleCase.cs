@@ -37,14 +37,15 @@ internal sealed record OracleCase
     /// <summary>Sweep and placement: what came of it.</summary>
     public OracleOutcome? Out { get; init; }
 
-    /// <summary>Walk: the quantum of each step, seconds.</summary>
+    /// <summary>Walk: how long each quantum is, seconds.</summary>
     public float Q { get; init; }
 
-    /// <summary>Walk: the state before the first step.</summary>
+    /// <summary>Walk: the state before the first quantum.</summary>
     public OracleState? Start { get; init; }
 
-    /// <summary>Walk: one entry a quantum.</summary>
-    public OracleStep[]? Steps { get; init; }
+    /// <summary>Walk: what each quantum came to; the recording calls it a step.</summary>
+    [JsonPropertyName("steps")]
+    public OracleQuantum[]? Quanta { get; init; }
 
     /// <summary>Reads a line.</summary>
     /// <exception cref="InvalidDataException">It is not a case.</exception>
@@ -57,7 +58,7 @@ internal sealed record OracleCase
             {
                 "transition" => one is { Begin: not null, End: not null, Out: not null },
                 "placement" => one is { Request: not null, Out: not null },
-                "walk" => one is { Start: not null, Steps: not null } && !one.Steps.Contains(null!),
+                "walk" => one is { Start: not null, Quanta: not null } && !one.Quanta.Contains(null!),
                 _ => throw new JsonException($"the family {one.Family} is another."),
             };
             if (!isWhole || one.Others?.Any(other => other?.Request is null) == true) throw new JsonException("a part of it is missing.");
@@ -116,7 +117,7 @@ internal record OracleState
 }
 
 /// <summary>State after one quantum, and what was done before it.</summary>
-internal sealed record OracleStep : OracleState
+internal sealed record OracleQuantum : OracleState
 {
     public Vector3? Root { get; init; }
 
@@ -149,14 +150,14 @@ internal sealed record OracleOutcome
 
 /// <summary>A result that known departures of the peer change.</summary>
 /// <param name="Id">The case.</param>
-/// <param name="Step">Step of a walk, from 0.</param>
-internal sealed record OracleDeparture(string Id, int? Step = null)
+/// <param name="Quantum">Which quantum of a walk, from 0; the list calls it a step.</param>
+internal sealed record OracleDeparture(string Id, [property: JsonPropertyName("step")] int? Quantum = null)
 {
     /// <summary>Reads a line.</summary>
     internal static OracleDeparture Parse(string line) =>
         JsonSerializer.Deserialize(line, OracleJson.Default.OracleDeparture) ?? throw new JsonException("null");
 
-    internal string Key => OracleReplay.KeyOf(Id, Step);
+    internal string Key => OracleReplay.KeyOf(Id, Quantum);
 }
 
 /// <summary>Reading without reflection.</summary>

@@ -12,17 +12,17 @@ namespace Surefoot.Tool.Conformance;
 
 /// <summary>One compared result of a peer as it is.</summary>
 /// <param name="Id">Case.</param>
-/// <param name="Step">Step of a walk, null for the others.</param>
+/// <param name="Quantum">Which quantum of a walk, from 0; null for the others.</param>
 /// <param name="Family">Kind of case.</param>
 /// <param name="Tag">Where it was aimed at.</param>
 /// <param name="Difference">What differs; null when nothing does.</param>
 /// <param name="Departure">Why a difference is expected although the result is not listed; null when none is.</param>
 /// <param name="HangsOnLastBit">The difference is one of rounding.</param>
 internal sealed record OracleResult(
-    string Id, int? Step, string Family, string Tag, string? Difference, string? Departure = null, bool HangsOnLastBit = false);
+    string Id, int? Quantum, string Family, string Tag, string? Difference, string? Departure = null, bool HangsOnLastBit = false);
 
 /// <summary>
-/// Replays cases recorded from a peer as it is: single sweeps, placements, and walks re-seated before each step. Results that known
+/// Replays cases recorded from a peer as it is: single sweeps, placements, and walks re-seated before each quantum. Results that known
 /// departures of the peer change are listed beside them; the lists leave out two departures that the mover's state word tells
 /// (<see cref="DepartureOf"/>).
 /// </summary>
@@ -76,7 +76,7 @@ internal sealed class OracleReplay(PhysicsEngine engine, Func<uint, SetupAsset> 
     }
 
     /// <summary>How a list of departures names a result.</summary>
-    internal static string KeyOf(string id, int? step) => step is { } number ? $"{id}/{number}" : id;
+    internal static string KeyOf(string id, int? quantum) => quantum is { } number ? $"{id}/{number}" : id;
 
     /// <summary>
     /// The results of a file of cases that known departures change: <c>departures-201.jsonl.gz</c> lists those of <c>walk-201.jsonl.gz</c>.
@@ -133,35 +133,35 @@ internal sealed class OracleReplay(PhysicsEngine engine, Func<uint, SetupAsset> 
         SteeredPhysicsBody.Of(mover).Attach(motion);
         OracleState before = walk.Start!;
         Quaternion facing = Quaternion.Identity;
-        foreach (OracleStep step in walk.Steps!)
+        foreach (OracleQuantum quantum in walk.Quanta!)
         {
             OracleState seat = before;
             Quaternion faced = facing;
             PhysicsState state = mover.State;
             string? departure = DepartureOf(state);
-            if (step.Root is { } root) motion.Offset = RetailMath.Scale(root, walk.Q);
-            string? difference = StepFrom(seat.Pos);
+            if (quantum.Root is { } root) motion.Offset = RetailMath.Scale(root, walk.Q);
+            string? difference = DifferenceFrom(seat.Pos);
             bool hangs = difference is not null && departure is null && LastBit.Decides(seat.Pos, at =>
             {
                 mover.SetState(state);
-                return StepFrom(at) is null;
+                return DifferenceFrom(at) is null;
             });
             if (difference is null) departure = null;
             results.Add(new OracleResult(walk.Id, results.Count, walk.Family, walk.Tag, difference, departure, hangs));
             if (hangs) mover.SetState(state);
-            if (step.State is { } changed) mover.SetState((PhysicsState)changed.Value);
+            if (quantum.State is { } changed) mover.SetState((PhysicsState)changed.Value);
             facing = seat.Quat ?? faced;
-            before = step;
+            before = quantum;
 
-            string? StepFrom(Vector3 at)
+            string? DifferenceFrom(Vector3 at)
             {
                 Seat(mover, seat with { Pos = at }, faced);
-                if (step.Leave) mover.SetOnWalkable(false);
-                if (step.SetVelocity is { } velocity) mover.SetVelocity(velocity);
+                if (quantum.Leave) mover.SetOnWalkable(false);
+                if (quantum.SetVelocity is { } velocity) mover.SetVelocity(velocity);
                 mover.SetActive(true);
                 mover.AdvanceQuantum(walk.Q, sweepWithoutSpheres: true);
-                string? difference = CompareBody(mover, step.Cell, step.Pos, step.Ts, step.Sliding);
-                return difference ?? (departure is null ? CompareVelocity(mover, step) : null);
+                string? difference = CompareBody(mover, quantum.Cell, quantum.Pos, quantum.Ts, quantum.Sliding);
+                return difference ?? (departure is null ? CompareVelocity(mover, quantum) : null);
             }
         }
 
@@ -190,8 +190,8 @@ internal sealed class OracleReplay(PhysicsEngine engine, Func<uint, SetupAsset> 
         return SameNormal((body.Transient & TransientState.Sliding) != 0 ? body.SlidingNormal : null, sliding) ? null : "sliding normal";
     }
 
-    private static string? CompareVelocity(PhysicsBody body, OracleStep step) =>
-        (body.Velocity - step.Vel).Length() <= VelocityTolerance ? null : $"velocity {body.Velocity}, recorded {step.Vel}";
+    private static string? CompareVelocity(PhysicsBody body, OracleQuantum quantum) =>
+        (body.Velocity - quantum.Vel).Length() <= VelocityTolerance ? null : $"velocity {body.Velocity}, recorded {quantum.Vel}";
 
     private static bool SameNormal(Vector3? sliding, Vector3? recorded) =>
         recorded is { } expected ? sliding is { } normal && (normal - expected).Length() <= NormalTolerance : sliding is null;

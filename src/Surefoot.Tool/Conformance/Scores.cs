@@ -15,23 +15,23 @@ internal sealed class SceneScore
     /// <summary>Walks that are not, and hang on a last bit.</summary>
     public int CasesLastBit { get; private set; }
 
-    /// <summary>Steps replayed.</summary>
-    public int Steps { get; private set; }
+    /// <summary>Quanta replayed.</summary>
+    public int Quanta { get; private set; }
 
-    /// <summary>Steps equal.</summary>
-    public int StepsEqual { get; private set; }
+    /// <summary>Quanta equal.</summary>
+    public int QuantaEqual { get; private set; }
 
-    /// <summary>Steps that are not, and hang on a last bit.</summary>
-    public int StepsLastBit { get; private set; }
+    /// <summary>Quanta that are not, and hang on a last bit.</summary>
+    public int QuantaLastBit { get; private set; }
 
     internal void Add(in WalkOutcome outcome, bool hangs)
     {
         Cases++;
         if (outcome.First is null) CasesEqual++;
         else if (hangs) CasesLastBit++;
-        Steps += outcome.Steps;
-        StepsEqual += outcome.Equal;
-        StepsLastBit += outcome.LastBit;
+        Quanta += outcome.Quanta;
+        QuantaEqual += outcome.Equal;
+        QuantaLastBit += outcome.LastBit;
     }
 }
 
@@ -46,11 +46,11 @@ internal sealed class ManagerScore
     /// <summary>Of those, equal to the end.</summary>
     public int CasesEqual { get; private set; }
 
-    /// <summary>Their steps.</summary>
-    public int Steps { get; private set; }
+    /// <summary>Their entries: quanta or messages.</summary>
+    public int Entries { get; private set; }
 
-    /// <summary>Steps before the first that differs.</summary>
-    public int StepsEqual { get; private set; }
+    /// <summary>Entries before the first that differs.</summary>
+    public int EntriesEqual { get; private set; }
 
     /// <summary>Runs that hang on a last bit.</summary>
     public int TightCases { get; private set; }
@@ -70,8 +70,8 @@ internal sealed class ManagerScore
 
         Cases++;
         CasesEqual += equal;
-        Steps += result.Steps;
-        StepsEqual += result.Equal;
+        Entries += result.Entries;
+        EntriesEqual += result.Equal;
     }
 }
 

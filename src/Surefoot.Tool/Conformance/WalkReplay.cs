@@ -8,8 +8,8 @@ using Surefoot.Physics.World;
 
 namespace Surefoot.Tool.Conformance;
 
-/// <summary>How a replayed step differs from the recorded one.</summary>
-internal enum StepDifference
+/// <summary>How the state after a replayed quantum differs from the recorded one.</summary>
+internal enum StateDifference
 {
     /// <summary>Not at all.</summary>
     None,
@@ -36,26 +36,26 @@ internal enum StepDifference
 /// <summary>A divergence, for people.</summary>
 /// <param name="CaseId">The case.</param>
 /// <param name="Scene">What it was aimed at.</param>
-/// <param name="Step">Step, datagram or message; negative where there are none.</param>
+/// <param name="Index">Which quantum, datagram or message, from 0; negative where there are none.</param>
 /// <param name="Difference">What differs.</param>
 /// <param name="Detail">How.</param>
 /// <param name="Reason">Why it does not count; null when it does.</param>
-internal sealed record Divergence(string CaseId, string Scene, int Step, StepDifference Difference, string Detail, string? Reason = null)
+internal sealed record Divergence(string CaseId, string Scene, int Index, StateDifference Difference, string Detail, string? Reason = null)
 {
     /// <summary>The reason of those that rounding decides.</summary>
     internal const string LastBit = "hangs on a last bit";
 
     /// <summary>In one line.</summary>
     public override string ToString() =>
-        $"{CaseId} {Scene} {(Step < 0 ? "" : $"step {Step} ")}{Difference}: {Detail}{(Reason is null ? "" : $" ({Reason})")}";
+        $"{CaseId} {Scene} {(Index < 0 ? "" : $"#{Index} ")}{Difference}: {Detail}{(Reason is null ? "" : $" ({Reason})")}";
 }
 
 /// <summary>What a replay of a walk came to.</summary>
-/// <param name="Steps">Steps recorded.</param>
-/// <param name="Equal">Steps equal.</param>
-/// <param name="LastBit">Steps that differ and hang on a last bit; known when re-seated.</param>
+/// <param name="Quanta">Quanta recorded.</param>
+/// <param name="Equal">Quanta equal.</param>
+/// <param name="LastBit">Quanta that differ and hang on a last bit; known when re-seated.</param>
 /// <param name="First">First difference.</param>
-internal readonly record struct WalkOutcome(int Steps, int Equal, int LastBit, Divergence? First);
+internal readonly record struct WalkOutcome(int Quanta, int Equal, int LastBit, Divergence? First);
 
 /// <summary>Replays recorded walks in an engine that nobody else uses; each leaves it as it was.</summary>
 internal sealed class WalkReplay(PhysicsEngine engine, Func<uint, SetupAsset> setups)
@@ -68,7 +68,7 @@ internal sealed class WalkReplay(PhysicsEngine engine, Func<uint, SetupAsset> se
     private const PhysicsState BodyState = PhysicsState.Gravity | PhysicsState.ReportCollisions | PhysicsState.EdgeSlide;
 
     /// <summary>
-    /// Replays one case. Re-seated, each step begins from the recorded state; free-running, from where the replay is.
+    /// Replays one case. Re-seated, each quantum begins from the recorded state; free-running, from where the replay is.
     /// </summary>
     internal WalkOutcome Run(WalkCase walk, bool reseat)
     {
@@ -104,37 +104,37 @@ internal sealed class WalkReplay(PhysicsEngine engine, Func<uint, SetupAsset> se
         PlacementResult result = body.SetPosition(new PlacementRequest(place, PlacementFlags.Slide));
         if (result == PlacementResult.OK != (walk.Placed == "OK"))
         {
-            Divergence placed = new(walk.Id, walk.Scene, -1, StepDifference.Placement, $"placed {result}, recorded {walk.Placed}");
-            return new WalkOutcome(walk.Steps?.Length ?? 0, 0, 0, placed);
+            Divergence placed = new(walk.Id, walk.Scene, -1, StateDifference.Placement, $"placed {result}, recorded {walk.Placed}");
+            return new WalkOutcome(walk.Quanta?.Length ?? 0, 0, 0, placed);
         }
 
-        if (walk.Start is null || walk.Steps is null) return default;
+        if (walk.Start is null || walk.Quanta is null) return default;
         Divergence? first = null;
-        StepDifference start = Compare(body, walk.Start);
-        if (start != StepDifference.None) first = new Divergence(walk.Id, walk.Scene, -1, start, Describe(body, walk.Start));
+        StateDifference start = Compare(body, walk.Start);
+        if (start != StateDifference.None) first = new Divergence(walk.Id, walk.Scene, -1, start, Describe(body, walk.Start));
 
         // The recorded start has no more than the state; the orientation is that of the placement.
         Frame facing = place.Frame;
-        WalkStep before = walk.Start;
+        WalkQuantum before = walk.Start;
         int equal = 0, lastBit = 0;
-        for (int i = 0; i < walk.Steps.Length; i++)
+        for (int i = 0; i < walk.Quanta.Length; i++)
         {
-            WalkStep step = walk.Steps[i], from = before;
+            WalkQuantum quantum = walk.Quanta[i], from = before;
             if (reseat) Seat(body, from, facing, from.Pos);
-            StepDifference difference = Advance(body, motion, step);
-            before = step;
-            if (difference == StepDifference.None)
+            StateDifference difference = Advance(body, motion, quantum);
+            before = quantum;
+            if (difference == StateDifference.None)
             {
                 equal++;
                 continue;
             }
 
-            string detail = Describe(body, step);
+            string detail = Describe(body, quantum);
             string? reason = null;
             if (reseat && LastBit.Decides(from.Pos, at =>
                 {
                     Seat(body, from, facing, at);
-                    return Advance(body, motion, step) == StepDifference.None;
+                    return Advance(body, motion, quantum) == StateDifference.None;
                 }))
             {
                 lastBit++;
@@ -144,41 +144,41 @@ internal sealed class WalkReplay(PhysicsEngine engine, Func<uint, SetupAsset> se
             first ??= new Divergence(walk.Id, walk.Scene, i, difference, detail, reason);
         }
 
-        return new WalkOutcome(walk.Steps.Length, equal, lastBit, first);
+        return new WalkOutcome(walk.Quanta.Length, equal, lastBit, first);
     }
 
-    private static StepDifference Advance(PhysicsBody body, RecordedMotion motion, WalkStep step)
+    private static StateDifference Advance(PhysicsBody body, RecordedMotion motion, WalkQuantum quantum)
     {
         body.SetActive(true);
-        if (step.Jump is { } jump)
+        if (quantum.Jump is { } jump)
         {
             body.SetOnWalkable(false);
             body.SetVelocity(jump);
         }
 
-        motion.Offset = step.Off;
-        body.AdvanceQuantum(step.Q, sweepWithoutSpheres: true);
-        return Compare(body, step);
+        motion.Offset = quantum.Off;
+        body.AdvanceQuantum(quantum.Q, sweepWithoutSpheres: true);
+        return Compare(body, quantum);
     }
 
-    private static void Seat(PhysicsBody body, WalkStep state, Frame facing, Vector3 at)
+    private static void Seat(PhysicsBody body, WalkQuantum state, Frame facing, Vector3 at)
     {
         facing.Origin = at;
         body.Seat(new BodySeat(
             new Position(state.Cell, facing), state.Vel, (TransientState)state.Ts, state.Plane, state.Pcell, state.Slide));
     }
 
-    private static StepDifference Compare(PhysicsBody body, WalkStep step)
+    private static StateDifference Compare(PhysicsBody body, WalkQuantum quantum)
     {
-        if (body.Position.CellId != step.Cell) return StepDifference.Cell;
-        if (!((body.Position.Frame.Origin - step.Pos).Length() <= PositionTolerance)) return StepDifference.Position;
-        if (((body.Transient ^ (TransientState)step.Ts) & Compared) != 0) return StepDifference.Flags;
-        return (body.Velocity - step.Vel).Length() <= VelocityTolerance ? StepDifference.None : StepDifference.Velocity;
+        if (body.Position.CellId != quantum.Cell) return StateDifference.Cell;
+        if (!((body.Position.Frame.Origin - quantum.Pos).Length() <= PositionTolerance)) return StateDifference.Position;
+        if (((body.Transient ^ (TransientState)quantum.Ts) & Compared) != 0) return StateDifference.Flags;
+        return (body.Velocity - quantum.Vel).Length() <= VelocityTolerance ? StateDifference.None : StateDifference.Velocity;
     }
 
-    private static string Describe(PhysicsBody body, WalkStep step) =>
+    private static string Describe(PhysicsBody body, WalkQuantum quantum) =>
         $"{Describe(body.Position.CellId, body.Position.Frame.Origin, body.Velocity, (uint)body.Transient)}, " +
-        $"recorded {Describe(step.Cell, step.Pos, step.Vel, step.Ts)}";
+        $"recorded {Describe(quantum.Cell, quantum.Pos, quantum.Vel, quantum.Ts)}";
 
     private static string Describe(uint cell, Vector3 at, Vector3 velocity, uint bits) => FormattableString.Invariant(
         $"at {cell:X8} ({at.X:0.####}, {at.Y:0.####}, {at.Z:0.####}) bits {bits & (uint)Compared:X2} velocity {velocity:0.##}");

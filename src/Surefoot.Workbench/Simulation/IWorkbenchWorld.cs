@@ -77,7 +77,7 @@ internal interface IWorkbenchPlayer
     /// <summary>New skills and burden.</summary>
     void Configure(PlayerSettings settings, double now);
 
-    /// <summary>Places the player, on the ground where the height is no number; when nobody can be there, an event says so.</summary>
+    /// <summary>Places the player, on the ground where the height is NaN; when nobody can be there, an event says so.</summary>
     void Goto(WorkbenchPlace place, double now);
 
     /// <summary>Opens or closes the nearest door within reach, if there is one.</summary>

@@ -33,7 +33,7 @@ internal enum FrameKind : byte
     FocusLost = 0x08,
 
     /// <summary>
-    /// Page → server: <c>u32 cell, f32[3] position, f32 yaw</c>: be there; a height that is no number means on the ground. Answered by a
+    /// Page → server: <c>u32 cell, f32[3] position, f32 yaw</c>: be there; a height of NaN means on the ground. Answered by a
     /// pose with another count of teleports, or by the event <see cref="Simulation.PlayerEventKind.PlaceRefused"/>.
     /// </summary>
     PlaceAt = 0x09,

@@ -127,7 +127,7 @@ public class PlayerMessagesTests
     [InlineData((ushort)0x07, float.NaN)]
     [InlineData((ushort)0x07, float.PositiveInfinity)]
     [InlineData((ushort)0xFFFF, 1f)]
-    public void An_order_with_a_speed_or_a_command_that_is_none_is_counted_and_not_obeyed(ushort command, float speed)
+    public void An_order_with_a_speed_that_is_not_finite_or_an_unknown_command_is_counted_and_not_obeyed(ushort command, float speed)
     {
         KeyFixture f = new();
         f.Say(new UpdateMotion(KeyFixture.Id, 1, 1, 1, false,

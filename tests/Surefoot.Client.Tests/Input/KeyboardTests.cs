@@ -325,7 +325,7 @@ public class KeyboardTests
 
     [Fact]
     [Behaviour("controller.bad-input-changes-nothing", "design, decision 7")]
-    public void A_time_that_is_no_number_is_refused_and_changes_nothing()
+    public void A_time_that_is_not_finite_is_refused_and_changes_nothing()
     {
         KeyFixture f = new();
         Assert.Throws<ArgumentException>(() => f.Controller.Update(MovementKeys.Forward, double.NaN));

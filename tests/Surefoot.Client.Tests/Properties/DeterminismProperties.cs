@@ -124,11 +124,11 @@ public sealed class DeterminismProperties(DemoFiles files) : IClassFixture<DemoF
                 if (Journey.Begin(files, trip) is not { } journey) return;
                 WorldQuery query = journey.Engine.CreateQuery();
                 Mover mover = new(journey.Body.Setup!, journey.Body.State, journey.Body.Weenie, journey.Body.Scale);
-                int step = 0;
+                int turn = 0;
                 ulong[] asked = Hashes(journey, () =>
                 {
                     ulong before = journey.Engine.HashState();
-                    AskAll(query, mover, journey.Body, ways[step++ % ways.Length]);
+                    AskAll(query, mover, journey.Body, ways[turn++ % ways.Length]);
                     Assert.Equal(before, journey.Engine.HashState());
                 });
                 Assert.Equal(unasked, asked);

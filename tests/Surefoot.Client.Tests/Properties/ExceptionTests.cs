@@ -55,7 +55,7 @@ public sealed class ExceptionTests(DemoFiles files) : IClassFixture<DemoFiles>
     public void One_sphere_passes_a_face_that_it_does_not_run_against_and_two_do_not()
     {
         // The stair is 3 m wide and begins 5 m north of the place. The ball's way west overlaps its front by 6 mm, and its end face not at
-        // all in either step.
+        // all in either quantum.
         (PhysicsWorld world, PhysicsEngine engine, Position place) = At("steps-80", default);
         SolidTest test = new(world);
         PhysicsBody ball = Enter(engine, Off(place, new Vector3(1.626f, 5 - 0.244f, 0.25f)), Plain, Ball);

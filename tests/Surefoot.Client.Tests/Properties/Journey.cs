@@ -74,7 +74,7 @@ internal sealed class Journey
     /// <summary>Makes a trip.</summary>
     /// <param name="files">The demo world.</param>
     /// <param name="trip">The trip.</param>
-    /// <param name="visit">Is given the journey before its first step, unless its place is taken.</param>
+    /// <param name="visit">Is given the journey before its first quantum, unless its place is taken.</param>
     internal static void Visit(DemoFiles files, Trip trip, Action<Journey> visit)
     {
         if (Begin(files, trip) is { } journey) visit(journey);
@@ -89,13 +89,13 @@ internal sealed class Journey
             if (deed.Push != Vector3.Zero) Body.SetVelocity(deed.Push);
             for (int i = 0; i < deed.Frames && !Body.IsLost; i++)
             {
-                Step(deed.Keys);
+                Advance(deed.Keys);
                 each?.Invoke();
             }
         }
     }
 
-    private void Step(MovementKeys keys)
+    private void Advance(MovementKeys keys)
     {
         if (CellIds.BlockOf(Body.Position.CellId) != block)
         {

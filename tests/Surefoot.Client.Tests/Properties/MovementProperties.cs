@@ -88,7 +88,7 @@ public sealed class MovementProperties(DemoFiles files) : IClassFixture<DemoFile
 
     [Fact]
     [Behaviour("properties.no-further-than-asked", "design.md, decision 1; spec/03, 4.4, 4.6, 4.7; spec/04, 4.4, 4.13")]
-    public void A_step_leads_no_further_than_asked_plus_the_step_heights()
+    public void A_sub_step_leads_no_further_than_asked_plus_the_step_heights()
     {
         Trip.Any.Sample(
             trip => Journey.Visit(files, trip, journey =>
@@ -97,9 +97,9 @@ public sealed class MovementProperties(DemoFiles files) : IClassFixture<DemoFile
                 journey.Body.Trace = trace;
                 journey.Go(() =>
                 {
-                    foreach (SubStepMeter.SubStep step in SubStepMeter.Read(trace))
+                    foreach (SubStepMeter.SubStep subStep in SubStepMeter.Read(trace))
                     {
-                        if (new Reach(step, journey.Body).Excess(journey.World) is { } excess) Assert.Fail($"{excess}: {step}");
+                        if (new Reach(subStep, journey.Body).Excess(journey.World) is { } excess) Assert.Fail($"{excess}: {subStep}");
                     }
 
                     trace.Clear();

@@ -11,7 +11,7 @@ internal static class SubStepMeter
     /// <summary>The sub-steps that were told.</summary>
     internal static List<SubStep> Read(TraceBuffer trace)
     {
-        List<SubStep> steps = [];
+        List<SubStep> subSteps = [];
         Position begin = default;
         SubStep open = default;
         foreach (ref readonly TraceEntry entry in trace.Entries)
@@ -24,7 +24,7 @@ internal static class SubStepMeter
                     open = new SubStep(entry.Offset, entry.Plane == default ? null : entry.Plane);
                     break;
                 case TraceKind.SubStepEnds:
-                    steps.Add(open with { Moved = begin.OffsetTo(place), End = place });
+                    subSteps.Add(open with { Moved = begin.OffsetTo(place), End = place });
                     break;
                 case TraceKind.Responded when entry.Succeeded:
                     open = entry.Response switch
@@ -38,10 +38,10 @@ internal static class SubStepMeter
             }
         }
 
-        return steps;
+        return subSteps;
     }
 
-    /// <summary>One step of a sweep.</summary>
+    /// <summary>One sub-step of a sweep.</summary>
     /// <param name="Asked">Displacement asked for, metres.</param>
     /// <param name="Floor">Plane touched at its beginning, or null.</param>
     internal readonly record struct SubStep(Vector3 Asked, Plane? Floor)
@@ -64,12 +64,12 @@ internal static class SubStepMeter
 }
 
 /// <summary>
-/// How far a step may lead: as far as asked, plus the step heights. Each property that allows more is an exception that the specification
-/// makes, and is pinned with its numbers by a behaviour of its own: <c>transition.offset.bends</c>, <c>transition.offset.unsinks</c>,
-/// <c>transition.slide.table</c>, <c>transition.cliff-slide.table</c>, <c>transition.terrain-contact.table</c>, <c>bsp.step-down.reach</c>,
-/// <c>polygon.rest.before-the-begin</c>.
+/// How far a sub-step may lead: as far as asked, plus the step heights. Each property that allows more is an exception that the
+/// specification makes, and is pinned with its numbers by a behaviour of its own: <c>transition.offset.bends</c>,
+/// <c>transition.offset.unsinks</c>, <c>transition.slide.table</c>, <c>transition.cliff-slide.table</c>,
+/// <c>transition.terrain-contact.table</c>, <c>bsp.step-down.reach</c>, <c>polygon.rest.before-the-begin</c>.
 /// </summary>
-internal readonly struct Reach(SubStepMeter.SubStep step, PhysicsBody body)
+internal readonly struct Reach(SubStepMeter.SubStep subStep, PhysicsBody body)
 {
     private const double Rounding = 0.001;
 
@@ -78,7 +78,7 @@ internal readonly struct Reach(SubStepMeter.SubStep step, PhysicsBody body)
     /// </summary>
     private const double UnsteadyStep = 0.04;
 
-    private double Asked => step.Asked.Length();
+    private double Asked => subStep.Asked.Length();
 
     private float Radius => body.Setup!.Spheres[0].Radius * body.Scale;
 
@@ -95,24 +95,24 @@ internal readonly struct Reach(SubStepMeter.SubStep step, PhysicsBody body)
     {
         get
         {
-            if (step.Floor is not { } floor) return 0;
+            if (subStep.Floor is not { } floor) return 0;
             double steepness = Math.Sqrt(1 - ((double)floor.Normal.Z * floor.Normal.Z)) / floor.Normal.Z;
-            return steepness * Level(step.Asked);
+            return steepness * Level(subStep.Asked);
         }
     }
 
     /// <summary>
     /// A body that stands deeper than tangent is lifted, by less than its radius (specification 03, 4.6, adjust_offset, step 4).
     /// </summary>
-    private double UnSink => step.Floor is null ? 0 : Radius;
+    private double UnSink => subStep.Floor is null ? 0 : Radius;
 
-    /// <summary>A slide projects the step together with the lift before it onto its crease (specification 03, 4.8.1, step 4).</summary>
-    private double SlideOfLift => step.Slid ? UnSink : 0;
+    /// <summary>A slide projects the sub-step together with the lift before it onto its crease (specification 03, 4.8.1, step 4).</summary>
+    private double SlideOfLift => subStep.Slid ? UnSink : 0;
 
     /// <summary>
-    /// A slope that rises ahead doubles the part of the step across it, in each of three attempts (specification 03, 4.7, cliff_slide).
+    /// A slope that rises ahead doubles the part of the sub-step across it, in each of three attempts (specification 03, 4.7, cliff_slide).
     /// </summary>
-    private double CliffSlide => step.CliffSlide ? 7 * Asked : 0;
+    private double CliffSlide => subStep.CliffSlide ? 7 * Asked : 0;
 
     /// <summary>
     /// Who lands is drawn back along its way until it is tangent to the polygon, which may be before where it began: the floor of −0.5 is
@@ -122,9 +122,9 @@ internal readonly struct Reach(SubStepMeter.SubStep step, PhysicsBody body)
     {
         get
         {
-            if (!step.Landed || Asked == 0) return false;
-            Vector3 way = Vector3.Normalize(step.Asked);
-            return (step.Moved - (way * Vector3.Dot(step.Moved, way))).Length() < 0.01f;
+            if (!subStep.Landed || Asked == 0) return false;
+            Vector3 way = Vector3.Normalize(subStep.Asked);
+            return (subStep.Moved - (way * Vector3.Dot(subStep.Moved, way))).Length() < 0.01f;
         }
     }
 
@@ -133,17 +133,17 @@ internal readonly struct Reach(SubStepMeter.SubStep step, PhysicsBody body)
     /// </summary>
     private bool IsLiftedByGround(PhysicsWorld world)
     {
-        Vector3 at = step.End.Frame.Origin;
+        Vector3 at = subStep.End.Frame.Origin;
         double low = at.Z + ((body.Setup!.Spheres[0].Center.Z - body.Setup!.Spheres[0].Radius) * body.Scale);
-        return world.GetVisible(step.End.CellId) is LandCell land && land.Landblock.Terrain.TryGetHeight(at.X, at.Y, out float height) &&
+        return world.GetVisible(subStep.End.CellId) is LandCell land && land.Landblock.Terrain.TryGetHeight(at.X, at.Y, out float height) &&
             low < height + 0.002;
     }
 
-    /// <summary>Null when the step kept to its bounds, otherwise what it exceeded.</summary>
+    /// <summary>Null when the sub-step kept to its bounds, otherwise what it exceeded.</summary>
     internal string? Excess(PhysicsWorld world)
     {
         if (IsDrawnBackAlongItsWay) return null;
-        Vector3 moved = step.Moved;
+        Vector3 moved = subStep.Moved;
         double level = Level(moved);
         if (level > Asked + CliffSlide + Rounding) return $"{level} m on the level, {Asked} m asked";
         if (moved.Z > Asked + UnSink + StepUpOntoMeshes + Rounding && !IsLiftedByGround(world)) return $"{moved.Z} m up, {Asked} m asked";

@@ -46,7 +46,7 @@ public sealed class DamagedEditTests
     [InlineData(0x15C, 0xFFFFFFFFu)]
     [InlineData(0x15C, 3u)]
     [Behaviour("dats.editor.broken-free-list", "spec/07, 4.1 and 5.2: first free, last free, number of free blocks")]
-    public void A_free_list_that_is_none_is_left_alone_and_a_new_one_begins(int field, uint value)
+    public void A_broken_free_list_is_left_alone_and_a_new_one_begins(int field, uint value)
     {
         using var folder = new TempFolder();
         string path = folder.File("x.dat");

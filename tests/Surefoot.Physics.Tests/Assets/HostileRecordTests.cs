@@ -40,7 +40,7 @@ public class HostileRecordTests
     }
 
     [Fact, Behaviour("assets.hostile.not-finite", "design, decision 7")]
-    public void Numbers_that_are_none_are_refused()
+    public void Numbers_that_are_not_finite_are_refused()
     {
         AssertRefused(Records.Slab(firstVertex: new(float.NaN, 0, 0)), "vertex 0");
         AssertRefused(Records.Slab(firstVertex: new(0, float.PositiveInfinity, 0)), "vertex 0");
@@ -125,7 +125,7 @@ public class HostileRecordTests
         AssertRefused(Records.Line(PhysicsBsp.MaxPending + 1, downFront: true, polygonsBeside: true), "branches");
 
     [Fact, Behaviour("assets.hostile.cycle", "design.md, decision 7")]
-    public void A_tree_that_is_none_is_refused()
+    public void A_tree_whose_nodes_form_a_cycle_is_refused()
     {
         PhysicsBspBuilder builder = new(PolygonSet.Empty);
         int a = builder.AddNode(new Plane(0, 0, 1, 0), default), b = builder.AddNode(new Plane(0, 0, 1, 0), default);

@@ -90,7 +90,7 @@ public class AnimatedPartTests
         Assert.Equal(3f, LeafAt(door));
     }
 
-    [Fact, Behaviour("object.parts.steps-without-allocation", "design, decision 4")]
+    [Fact, Behaviour("object.parts.quanta-without-allocation", "design, decision 4")]
     public void A_swinging_door_allocates_nothing()
     {
         (PhysicsBody door, _) = Door(withParts: true);

@@ -69,7 +69,7 @@ public class BodyProperties
                     double asked = (Math.Max(body.Velocity.Length(), 50) * q) + (0.5 * 9.8 * q * q);
                     body.AdvanceQuantum(q);
                     double moved = Vector3.Distance(before, body.Position.Frame.Origin);
-                    // Downhill the step keeps x and y and takes z from the plane: up to 1/N.z longer (spec/03, 4.6, adjust_offset).
+                    // Downhill the sub-step keeps x and y and takes z from the plane: up to 1/N.z longer (spec/03, 4.6, adjust_offset).
                     double longer = 1 / Math.Cos(f.Degrees * Math.PI / 180);
                     Assert.True(moved <= (asked * longer) + (2 * StepHeight), $"moved {moved} m, asked {asked} m");
                 }

@@ -13,11 +13,11 @@ public class BounceTests
     [InlineData(40, 9.88057232f)]
     [InlineData(60, 9.9197073f)]
     [InlineData(120, 9.95948505f)]
-    public void Quanta_below_the_gate_keep_gravity_from_building_up(int steps, float z)
+    public void Quanta_below_the_gate_keep_gravity_from_building_up(int quanta, float z)
     {
         BodyFixture f = new();
         f.Seat(new(12, 12, 10), Vector3.Zero, TransientState.None);
-        for (int i = 0; i < steps; i++) f.Body.AdvanceQuantum(1f / steps);
+        for (int i = 0; i < quanta; i++) f.Body.AdvanceQuantum(1f / quanta);
         Assert.Equal(z, f.Z, 5);
     }
 

@@ -48,7 +48,7 @@ public class CollisionReportTests
     }
 
     [Fact, Behaviour("body.reports.landing", "spec/02, 6.12")]
-    public void A_landing_is_reported_even_when_the_step_met_no_environment()
+    public void A_landing_is_reported_even_when_the_sweep_met_no_environment()
     {
         (BodyFixture f, Witness witness) = Witnessed();
         f.Seat(new(12, 12, 0), Vector3.Zero, BodyFixture.Standing);

@@ -89,7 +89,7 @@ public sealed class EngineDoorTests
     [InlineData(float.PositiveInfinity, 0f)]
     [InlineData(1f, -1f)]
     [InlineData(1f, float.NaN)]
-    public void A_shape_of_spheres_that_are_none_is_refused(float radius, float height)
+    public void A_shape_without_spheres_or_with_numbers_out_of_range_is_refused(float radius, float height)
     {
         Assert.ThrowsAny<ArgumentException>(() => SetupAsset.OfSpheres(1, [new Sphere(Vector3.Zero, radius)], height, 0.1f));
         Assert.ThrowsAny<ArgumentException>(() => SetupAsset.OfSpheres(1, [new Sphere(Vector3.Zero, radius)], 0.1f, height));

@@ -230,7 +230,7 @@ public class HeldObjectTests
         Assert.True(item.SetParent(holder, Hand));
         PhysicsBody gem = Spawn(3, Shape, new Vector3(1, 1, 0));
         Assert.True(gem.SetParent(item, Head));
-        void Step(int count)
+        void Advance(int count)
         {
             for (int i = 0; i < count; i++)
             {
@@ -239,9 +239,9 @@ public class HeldObjectTests
             }
         }
 
-        Step(100);
+        Advance(100);
         long before = GC.GetAllocatedBytesForCurrentThread();
-        Step(100);
+        Advance(100);
         Assert.Equal(0, GC.GetAllocatedBytesForCurrentThread() - before);
         Assert.True(gem.Position.Frame.Origin.X > 16);
     }

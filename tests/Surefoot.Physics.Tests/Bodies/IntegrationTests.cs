@@ -294,7 +294,7 @@ public class IntegrationTests
     [Theory, Behaviour("body.public.rejects-nan", "design.md, decision 7")]
     [InlineData(float.NaN)]
     [InlineData(float.PositiveInfinity)]
-    public void Numbers_that_are_none_are_refused_and_change_nothing(float bad)
+    public void Numbers_that_are_not_finite_are_refused_and_change_nothing(float bad)
     {
         BodyFixture f = new();
         f.Seat(new(12, 12, 1), Vector3.UnitX, TransientState.None);

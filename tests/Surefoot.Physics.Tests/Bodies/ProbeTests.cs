@@ -26,8 +26,10 @@ public class ProbeTests
     }
 
     [Fact]
-    [Behaviour("body.stop.refused-step", "spec/02, kill_velocity; spec/03, 4.6 validate_transition: OBJECTINFO::kill_velocity @0x0050CFE0")]
-    public void A_body_whose_step_is_taken_back_loses_its_velocity()
+    [Behaviour(
+        "body.stop.refused-sub-step",
+        "spec/02, kill_velocity; spec/03, 4.6 validate_transition: OBJECTINFO::kill_velocity @0x0050CFE0")]
+    public void A_body_whose_sub_step_is_taken_back_loses_its_velocity()
     {
         BodyFixture f = Blocked();
         f.Body.AdvanceQuantum(BodyFixture.Tick);

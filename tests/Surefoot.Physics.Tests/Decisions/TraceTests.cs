@@ -62,7 +62,7 @@ public class TraceTests
     }
 
     [Fact, Behaviour("trace.nothing-left", "design.md, decision 6; spec/03, 6.8 case 3")]
-    public void A_step_of_which_nothing_is_left_says_so()
+    public void A_sub_step_of_which_nothing_is_left_says_so()
     {
         TraceEntry[] told = Tell(new StubWorld(FlatGround), Vector3.Zero, new(0, 0, -0.02f), Standing);
         Assert.Equal(TraceReason.TooShort, Assert.Single(told, e => e.Kind == TraceKind.SubStepEnds).Reason);
@@ -111,7 +111,7 @@ public class TraceTests
     }
 
     [Fact, Behaviour("trace.landing", "design.md, decision 6; spec/03, 6.8 case 8")]
-    public void A_landing_on_a_wall_is_told_as_refused_and_the_step_as_taken_back()
+    public void A_landing_on_a_wall_is_told_as_refused_and_the_sub_step_as_taken_back()
     {
         TraceEntry[] told = Tell(WallWorld(), new(0, 0, 1), new(0.3f, 0.1f, 0.05f), MoverFlags.None);
         TraceEntry landing = Single(told, TransitionResponse.Landing);

@@ -11,7 +11,7 @@ public class FrameRotationTests
     [InlineData(0f, 0f, 0f, 0f)]
     [InlineData(float.NaN, 0f, 0f, 1f)]
     [InlineData(0f, float.PositiveInfinity, 0f, 1f)]
-    public void An_orientation_that_is_none_is_refused_and_the_old_one_stays(float x, float y, float z, float w)
+    public void An_orientation_that_cannot_be_made_unit_is_refused_and_the_old_one_stays(float x, float y, float z, float w)
     {
         Frame frame = new(new Vector3(1, 2, 3), new Quaternion(0, 0, 0.6f, 0.8f));
         Frame before = frame;
@@ -22,14 +22,14 @@ public class FrameRotationTests
 
     /// <summary>Turned left by 90 degrees, two metres ahead is two metres west.</summary>
     [Fact, Behaviour("geometry.frame.subtract", "Frame::subtract1: the inverse of combine")]
-    public void A_step_that_is_taken_out_leads_back_to_where_it_began()
+    public void A_movement_that_is_taken_out_leads_back_to_where_it_began()
     {
         Frame left = new(Vector3.Zero, Quaternion.CreateFromAxisAngle(Vector3.UnitZ, MathF.PI / 2));
-        Frame step = new(new Vector3(0, 2, 0), left.Rotation);
+        Frame movement = new(new Vector3(0, 2, 0), left.Rotation);
         Frame begin = new(new Vector3(10, 20, 5), left.Rotation);
-        Frame end = Frame.Combine(begin, step);
+        Frame end = Frame.Combine(begin, movement);
         AssertNear(new Vector3(8, 20, 5), end.Origin);
-        Frame back = Frame.Subtract(end, step);
+        Frame back = Frame.Subtract(end, movement);
         AssertNear(begin.Origin, back.Origin);
         Assert.Equal(1, Math.Abs(Quaternion.Dot(begin.Rotation, back.Rotation)), 1e-6);
     }

@@ -56,10 +56,10 @@ public class ConstraintTests
     [InlineData(
         0.104000002f, 5f, 20f,
         48, 4.99200201f, 49, 5.0960021f, 50, 5.19933653f, 100, 9.5479517f, 150, 12.6188898f, 300, 17.4005508f, 600, 19.6776009f)]
-    public void Without_news_a_body_slows_and_never_gets_to_the_end_of_its_leash(float step, float start, float max, params object[] rows)
+    public void Without_news_a_body_slows_and_never_gets_to_the_end_of_its_leash(float stride, float start, float max, params object[] rows)
     {
         body.ConstrainTo(body.Position, start, max);
-        body.Root = new Vector3(0, step, 0);
+        body.Root = new Vector3(0, stride, 0);
         int quantum = 0;
         for (int i = 0; i < rows.Length; i += 2)
         {

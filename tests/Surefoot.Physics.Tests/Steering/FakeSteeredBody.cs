@@ -7,7 +7,7 @@ using Surefoot.Physics.World;
 namespace Surefoot.Physics.Tests.Steering;
 
 /// <summary>
-/// The body of specification 09, 6: it stands on flat ground and every step passes unless it is blocked; motions act at once.
+/// The body of specification 09, 6: it stands on flat ground and every sweep passes unless it is blocked; motions act at once.
 /// </summary>
 internal sealed class FakeSteeredBody : SteeredBody
 {
@@ -82,7 +82,7 @@ internal sealed class FakeSteeredBody : SteeredBody
     /// <summary>Motion of a quantum in the body's own axes, metres.</summary>
     internal Vector3 Root { get; set; }
 
-    /// <summary>No step passes.</summary>
+    /// <summary>No sweep passes.</summary>
     internal bool Blocked { get; set; }
 
     /// <summary>Placements are refused.</summary>
@@ -180,7 +180,7 @@ internal sealed class FakeSteeredBody : SteeredBody
         base.HandleUpdateTarget(info);
     }
 
-    /// <summary>A quantum: its motion, the step, and the managers after it. The clock stays.</summary>
+    /// <summary>A quantum: its motion, the sweep, and the managers after it. The clock stays.</summary>
     internal void Advance(float quantum = Quantum)
     {
         Frame offset = Frame.Identity;

@@ -53,7 +53,7 @@ public class InterpolationTests
 
     [Fact]
     [Behaviour("steering.interpolation.long-quanta", "spec/09, 6.1")]
-    public void Long_quanta_take_long_steps()
+    public void Long_quanta_take_long_strides()
     {
         body.Adjusted = Run;
         body.InterpolateTo(FakeSteeredBody.At(10, 15), keepHeading: false);

@@ -23,13 +23,13 @@ public class CameraTests
     }
 
     [Fact, Behaviour("transition.camera.stops-at-the-ground", "spec/03, 6.8 Camera")]
-    public void The_camera_ends_its_sweep_in_the_step_that_meets_the_ground()
+    public void The_camera_ends_its_sweep_in_the_sub_step_that_meets_the_ground()
     {
         TraceBuffer trace = new();
         Transition t = Sweep(new(0, 0, 1.5f), new(-1.2f, 0, 0.1f), trace);
         Assert.Equal(7, SubStepPlan.Of(t.Path, t.Object.Has(MoverFlags.IsViewer)).Count);
         Assert.True(t.FindValidPosition());
-        Assert.Equal(6, trace.StepCount());
+        Assert.Equal(6, trace.SubStepCount());
         Assert.True(Vector3.Distance(new(-1.02857137f, 0, 0.300000012f), t.Path.CurrPos.Frame.Origin) < 2e-7f,
             $"{t.Path.CurrPos.Frame.Origin:R}");
         Assert.Equal((true, Vector3.UnitZ), (t.Collision.CollisionNormalValid, t.Collision.CollisionNormal));
@@ -56,7 +56,7 @@ public class CameraTests
 
     [Fact]
     [Behaviour("transition.camera.level-inside-the-ground",
-        "spec/03, 4.4: t = d / 0 moves the sphere infinitely far, which no attempt repairs and the step undoes")]
+        "spec/03, 4.4: t = d / 0 moves the sphere infinitely far, which no attempt repairs and the sub-step undoes")]
     public void A_camera_that_begins_in_the_ground_and_moves_level_stays_where_it_is()
     {
         Vector3 from = new(0, 0, 0.1f);

@@ -59,7 +59,7 @@ public class ContactTests
     }
 
     [Fact, Behaviour("transition.normals.nan-is-no-direction", "spec/03, 4.1.1 and 4.3; spec/04, 1.2: NaN is not at least EPS long")]
-    public void A_normal_that_is_no_number_is_stored_as_no_direction()
+    public void A_normal_of_NaN_is_stored_as_no_direction()
     {
         CollisionInfo c = new();
         c.SetCollisionNormal(new Vector3(float.NaN, 0, 1));

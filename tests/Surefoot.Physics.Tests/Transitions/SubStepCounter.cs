@@ -5,7 +5,7 @@ namespace Surefoot.Physics.Tests.Transitions;
 /// <summary>Counts the sub-steps that a trace tells of.</summary>
 internal static class SubStepCounter
 {
-    internal static int StepCount(this TraceBuffer trace)
+    internal static int SubStepCount(this TraceBuffer trace)
     {
         int count = 0;
         foreach (ref readonly TraceEntry entry in trace.Entries)

@@ -21,7 +21,7 @@ public class SubStepTests
         return t;
     }
 
-    [Theory, Behaviour("transition.steps.count", "spec/03, 6.2")]
+    [Theory, Behaviour("transition.sub-steps.count", "spec/03, 6.2")]
     [InlineData(0.48f, 0, 0, 0, false, 0, 0, 0, 0)]
     [InlineData(0.48f, 1e-7f, 0, 0, false, 1, 1.00000001e-7f, 0, 0)]
     [InlineData(0.48f, 0.48f, 0, 0, false, 1, 0.479999989f, 0, 0)]
@@ -45,7 +45,7 @@ public class SubStepTests
         Assert.Equal(new Vector3(px, py, pz), plan.PerSubStep);
     }
 
-    [Fact, Behaviour("transition.steps.across-a-block-border", "spec/03, 6.2")]
+    [Fact, Behaviour("transition.sub-steps.across-a-block-border", "spec/03, 6.2")]
     public void A_sweep_across_a_block_border_is_cut_alike()
     {
         Transition t = WithSphere(0.48f);

@@ -48,13 +48,13 @@ public class SweepTests
     }
 
     [Fact, Behaviour("transition.walk.flat", "spec/03, 6.8 case 2")]
-    public void A_walker_covers_flat_ground_in_steps_of_at_most_one_radius()
+    public void A_walker_covers_flat_ground_in_sub_steps_of_at_most_one_radius()
     {
         Transition t = new StubWorld(FlatGround).Sweep(Vector3.Zero, new(1, 0, 0), Standing);
         t.Trace = new TraceBuffer();
         Assert.True(t.FindValidPosition());
         AssertEndsAt(t, 1, 0, 0, Standing);
-        Assert.Equal(3, t.Trace.StepCount());
+        Assert.Equal(3, t.Trace.SubStepCount());
     }
 
     [Fact, Behaviour("transition.stand.under-gravity-fails", "spec/03, 6.8 case 3")]
@@ -81,7 +81,7 @@ public class SweepTests
     }
 
     [Fact, Behaviour("transition.wall.slide", "spec/03, 6.8 cases 6, 6b")]
-    public void A_wall_takes_the_whole_normal_part_of_a_step()
+    public void A_wall_takes_the_whole_normal_part_of_a_sub_step()
     {
         StubWorld world = WallWorld();
         Transition t = world.Sweep(Vector3.Zero, new(0.3f, 0.3f, 0), Standing);
@@ -161,7 +161,7 @@ public class SweepTests
     [Theory, Behaviour("transition.cliff.rising-slope", "spec/03, 6.8 cases 12, 12b")]
     [InlineData(false, 1.2f, 0.1f)]
     [InlineData(true, 0.9f, 0f)]
-    public void A_steep_slope_ahead_is_entered_or_stops_the_step(bool edgeSlide, float x, float y)
+    public void A_steep_slope_ahead_is_entered_or_stops_the_sub_step(bool edgeSlide, float x, float y)
     {
         Transition t = LedgeWorld(StubWorld.SlopeFromX1(60, rising: true)).Sweep(new(0.9f, 0, 0), new(0.3f, 0.1f, 0),
             edgeSlide ? Careful : Standing);
@@ -187,7 +187,7 @@ public class SweepTests
         Assert.True(t.Collision.CollidedWithEnvironment);
     }
 
-    /// <summary>0.15 mm on each axis is within the tolerance of the comparison but long enough for a step.</summary>
+    /// <summary>0.15 mm on each axis is within the tolerance of the comparison but long enough for a sub-step.</summary>
     [Theory, Behaviour("transition.stuck.turning-is-moving", "spec/03, 4.1.4, Frame::is_equal @0x00424C30; spec/03, 5, frame equality")]
     [InlineData(0f, 1)]
     [InlineData(0.1f, 0)]

@@ -67,8 +67,8 @@ public sealed class WorldPropertyTests(FirstWorld files) : IClassFixture<FirstWo
     }
 
     [Fact]
-    [Behaviour("world.steps.allocate-nothing", "design: nothing is allocated in a step")]
-    public void A_step_among_trees_and_rooms_allocates_nothing()
+    [Behaviour("world.quanta.allocate-nothing", "design, decision 4")]
+    public void A_quantum_among_trees_and_rooms_allocates_nothing()
     {
         PhysicsWorld world = files.Load(FirstWorld.Blocks);
         PhysicsEngine engine = new(world);

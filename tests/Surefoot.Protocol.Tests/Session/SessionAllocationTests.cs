@@ -13,11 +13,11 @@ public class SessionAllocationTests
     {
         var pair = new Pair();
         for (int i = 0; i < 400; i++)
-            pair.Step();
+            pair.Advance();
         int before = pair.Seen;
         long start = GC.GetAllocatedBytesForCurrentThread();
         for (int i = 0; i < 400; i++)
-            pair.Step();
+            pair.Advance();
         long allocated = GC.GetAllocatedBytesForCurrentThread() - start;
         Assert.Equal(2 * 400, pair.Seen - before);
         Assert.Equal(0, allocated);
@@ -45,7 +45,7 @@ public class SessionAllocationTests
 
         public int Seen { get; private set; }
 
-        public void Step()
+        public void Advance()
         {
             now += 1.0 / 60;
             client.Send(new AutonomousPosition(Place, new MovementStamps(1, 2, 3, 4), true));

@@ -47,19 +47,19 @@ public sealed class ConformTests : IDisposable
     public async Task A_share_below_what_is_required_exits_with_one_and_says_which_family()
     {
         JsonNode walk = FirstCase("vectors", "walk-11.jsonl.gz");
-        JsonArray steps = walk["steps"]!.AsArray();
-        steps[^1]!["pos"]!.AsArray()[0] = steps[^1]!["pos"]![0]!.GetValue<float>() + 1;
+        JsonArray quanta = walk["steps"]!.AsArray();
+        quanta[^1]!["pos"]!.AsArray()[0] = quanta[^1]!["pos"]![0]!.GetValue<float>() + 1;
         string file = Write("walk.jsonl", walk);
         CommandLine.Outcome below = await CommandLine.RunAsync("conform", "--dats", World, file);
         Assert.Equal(1, below.ExitCode);
-        double share = Math.Floor(10_000.0 * (steps.Count - 1) / steps.Count) / 100;
+        double share = Math.Floor(10_000.0 * (quanta.Count - 1) / quanta.Count) / 100;
         string[] expected =
         [
-            $"surefoot: walks: {share:0.00} % of re-seated steps equal, 99.9 % required",
+            $"surefoot: walks: {share:0.00} % of re-seated quanta equal, 99.9 % required",
             "surefoot: walks: 0.00 % of free-running walks equal, 99.9 % required",
         ];
         Assert.Equal(expected, below.Error.Split('\n', StringSplitOptions.RemoveEmptyEntries));
-        Assert.Contains($"step {steps.Count - 1} Position", below.Output, StringComparison.Ordinal);
+        Assert.Contains($"#{quanta.Count - 1} Position", below.Output, StringComparison.Ordinal);
         Assert.Equal(0, (await CommandLine.RunAsync("conform", "--dats", World, file, "--require", "0")).ExitCode);
         Assert.Equal(1, (await CommandLine.RunAsync("conform", "--dats", World, file, "--require", "0.1")).ExitCode);
     }
@@ -100,7 +100,7 @@ public sealed class ConformTests : IDisposable
         CommandLine.Outcome run = await CommandLine.RunAsync("conform", file);
         Assert.Equal(1, run.ExitCode);
         Assert.Contains("surefoot: sessions:", run.Error, StringComparison.Ordinal);
-        Assert.Contains("wrong-password datagram step 0 Result: .payloadHash", run.Output, StringComparison.Ordinal);
+        Assert.Contains("wrong-password datagram #0 Result: .payloadHash", run.Output, StringComparison.Ordinal);
     }
 
     [Fact, Behaviour("tool.conform.scene", "a scene that matches nothing is wrong usage")]

@@ -41,5 +41,5 @@ public class ManagerVectorTests
     }
 
     private static string Differences(ConformanceReport report) =>
-        string.Join('\n', report.Divergences.Select(d => $"{d.CaseId} {d.Scene} step {d.Step}: {d.Detail}"));
+        string.Join('\n', report.Divergences.Select(d => $"{d.CaseId} {d.Scene} #{d.Index}: {d.Detail}"));
 }

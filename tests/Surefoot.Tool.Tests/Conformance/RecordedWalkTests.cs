@@ -23,8 +23,8 @@ public class RecordedWalkTests
         Assert.NotEmpty(report.Scenes);
         foreach ((string name, SceneScore reseated, SceneScore free) in report.Scenes)
         {
-            Assert.True(reseated.StepsEqual >= 0.997 * reseated.Steps,
-                $"{name}: {reseated.StepsEqual} of {reseated.Steps} steps equal re-seated");
+            Assert.True(reseated.QuantaEqual >= 0.997 * reseated.Quanta,
+                $"{name}: {reseated.QuantaEqual} of {reseated.Quanta} quanta equal re-seated");
             Assert.True(free.CasesEqual >= 0.98 * free.Cases, $"{name}: {free.CasesEqual} of {free.Cases} cases equal free-running");
         }
     }

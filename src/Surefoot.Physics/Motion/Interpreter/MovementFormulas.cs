@@ -93,7 +93,7 @@ public static class MovementFormulas
 
     /// <summary>Upward speed that reaches a height, m/s.</summary>
     /// <param name="height">Metres, as <see cref="JumpHeight"/> gives it: only the speed is rounded.</param>
-    /// <remarks>Retail: the last step of CACQualities::InqJumpVelocity @0x00592980.</remarks>
+    /// <remarks>Retail: the last part of CACQualities::InqJumpVelocity @0x00592980.</remarks>
     public static float JumpVelocity(double height) => (float)Math.Sqrt(height * 19.6);
 
     /// <summary>Stamina a jump costs.</summary>

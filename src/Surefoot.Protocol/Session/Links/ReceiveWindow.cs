@@ -214,7 +214,7 @@ internal sealed class ReceiveWindow
 
     private static uint Before(uint number) => number == 1 ? uint.MaxValue : number - 1;
 
-    /// <summary>Steps from one number to a newer one.</summary>
+    /// <summary>How many numbers a newer one is ahead of another.</summary>
     private static uint Distance(uint from, uint to) => to < from ? to - from - 1 : to - from;
 
     /// <summary>Orders numbers that lie less than half the range apart.</summary>

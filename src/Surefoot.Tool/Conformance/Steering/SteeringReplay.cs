@@ -28,24 +28,24 @@ internal static class SteeringReplay
             [.. recorded.GetProperty("watch").EnumerateArray().Select(static id => new WatchedBody(id.GetString()!))];
         int done = 0;
         string? difference = null;
-        JsonElement steps = recorded.GetProperty("steps");
-        foreach (JsonElement step in steps.EnumerateArray())
+        JsonElement entries = recorded.GetProperty("steps");
+        foreach (JsonElement entry in entries.EnumerateArray())
         {
-            Advance(world, step);
-            difference = Compare(world, watched, step.GetProperty("out"));
+            Advance(world, entry);
+            difference = Compare(world, watched, entry.GetProperty("out"));
             if (difference is not null) break;
             done++;
         }
 
-        return ManagerResult.Of(recorded, steps.GetArrayLength(), done, difference);
+        return ManagerResult.Of(recorded, entries.GetArrayLength(), done, difference);
     }
 
-    private static void Advance(StubWorld world, JsonElement step)
+    private static void Advance(StubWorld world, JsonElement entry)
     {
         world.Calls.Clear();
-        if (step.TryGetProperty("ev", out JsonElement events))
+        if (entry.TryGetProperty("ev", out JsonElement events))
             foreach (JsonElement e in events.EnumerateArray()) Happen(world, e);
-        float quantum = step.GetProperty("q").GetSingle();
+        float quantum = entry.GetProperty("q").GetSingle();
         world.Clock += quantum;
         foreach (StubBody body in world.Bodies.ToArray()) body.Advance(quantum);
     }

@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace Surefoot.Tool.Conformance.Steering;
 
-/// <summary>The bodies of a case, their object table and clock, and what was noteworthy since the last step.</summary>
+/// <summary>The bodies of a case, their object table and clock, and what was noteworthy since the last entry.</summary>
 internal sealed class StubWorld
 {
     private readonly Dictionary<uint, StubBody> known = [];

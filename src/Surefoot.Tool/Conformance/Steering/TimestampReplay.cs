@@ -41,24 +41,24 @@ internal sealed class TimestampReplay
         TimestampReplay replay = new(run);
         int done = 0;
         string? difference = null;
-        JsonElement steps = run.GetProperty("steps");
-        foreach (JsonElement step in steps.EnumerateArray())
+        JsonElement entries = run.GetProperty("steps");
+        foreach (JsonElement entry in entries.EnumerateArray())
         {
-            difference = replay.Step(step);
+            difference = replay.Replay(entry);
             if (difference is not null) break;
             done++;
         }
 
-        return ManagerResult.Of(run, steps.GetArrayLength(), done, difference);
+        return ManagerResult.Of(run, entries.GetArrayLength(), done, difference);
     }
 
-    private string? Step(JsonElement step)
+    private string? Replay(JsonElement entry)
     {
-        if (step.TryGetProperty("move", out JsonElement move)) StubOrders.TurnToHeading(body, move);
-        if (step.TryGetProperty("distance", out JsonElement distance)) body.Settings.PlayerDistance = distance.GetSingle();
+        if (entry.TryGetProperty("move", out JsonElement move)) StubOrders.TurnToHeading(body, move);
+        if (entry.TryGetProperty("distance", out JsonElement distance)) body.Settings.PlayerDistance = distance.GetSingle();
         world.Calls.Clear();
-        int code = Dispatch(step);
-        JsonElement expected = step.GetProperty("out");
+        int code = Dispatch(entry);
+        JsonElement expected = entry.GetProperty("out");
         if (code != expected.GetProperty("code").GetInt32()) return $"code is {code}, recorded {expected.GetProperty("code")}";
         if (world.CompareCalls(expected) is { } call) return call;
         if (expected.TryGetProperty("s", out JsonElement changes))
@@ -71,10 +71,10 @@ internal sealed class TimestampReplay
         return null;
     }
 
-    private int Dispatch(JsonElement step)
+    private int Dispatch(JsonElement entry)
     {
-        JsonElement message = step.GetProperty("msg");
-        if (step.TryGetProperty("unknown", out JsonElement unknown) && unknown.Flag()) return Kept;
+        JsonElement message = entry.GetProperty("msg");
+        if (entry.TryGetProperty("unknown", out JsonElement unknown) && unknown.Flag()) return Kept;
         if (message.TryGetProperty("unknown", out unknown) && unknown.Flag()) return Kept;
         InstanceAge age = stamps.AgeOf(message.GetProperty("i").GetUInt16());
         if (age != InstanceAge.Current) return age == InstanceAge.Stale ? Stale : Kept;

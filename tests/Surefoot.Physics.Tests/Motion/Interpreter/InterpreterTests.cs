@@ -219,7 +219,7 @@ public class InterpreterTests
 
     [Fact]
     [Behaviour("motion.do.bad-speed-changes-nothing", "design, decision 7")]
-    public void A_speed_that_is_no_number_is_refused_and_changes_nothing()
+    public void A_speed_that_is_not_finite_is_refused_and_changes_nothing()
     {
         (_, MotionInterpreter interpreter) = FakeBody.Standing(FakeBody.Player());
         MovementParameters p = new() { Speed = float.NaN };

@@ -67,7 +67,8 @@ public sealed class AnimatedStaticTests
         Assert.Equal(4f, SlabAt(mill));
     }
 
-    [Fact, Behaviour("object.animated.scenery", "spec/05, 4.8 f; spec/02, 4.19: the places of its parts are scaled from its first step on")]
+    [Fact]
+    [Behaviour("object.animated.scenery", "spec/05, 4.8 f; spec/02, 4.19: the places of its parts are scaled from its first quantum on")]
     public void Animated_scenery_begins_at_unscaled_places_and_goes_on_at_scaled_ones()
     {
         PhysicsWorld world = Base(null, (i, j) => (i, j) == (3, 4) ? WorldRecords.Wooded : 0, Frames()).Add(new Scene
@@ -146,11 +147,11 @@ public sealed class AnimatedStaticTests
     }
 
     [Fact, Behaviour("object.animated.omega", "spec/02, 4.19: grotate(omega), omega itself and not times the time")]
-    public void A_static_that_an_animation_spins_turns_by_omega_each_step()
+    public void A_static_that_an_animation_spins_turns_by_omega_each_quantum()
     {
         StaticObject mill = Only(Outdoors(new SetOmegaHook(new Vector3(0, 0, MathF.PI / 2)) { Direction = 1 }).World());
         AnimatedStatic playing = new(mill, new PhysicsWorld(), 0);
-        // The hook of frame 0 is passed in the first step and acts in the next.
+        // The hook of frame 0 is passed in the first quantum and acts in the next.
         playing.Animate(Tick);
         Assert.Equal(0f, mill.Position.Frame.Heading);
         playing.Animate(2 * Tick);
@@ -183,7 +184,7 @@ public sealed class AnimatedStaticTests
             StaticObject mill = Only(world);
             mill.State |= PhysicsState.Ethereal;
             PhysicsBody body = engine.CreateBody(1, StubWorld.Setup(new Sphere(new Vector3(0, 0, 0.5f), 0.5f)), PhysicsState.None);
-            // The step that passes the hook puts the slab at x = 4 first.
+            // The quantum that passes the hook puts the slab at x = 4 first.
             Assert.True(body.EnterWorld(new Position(mill.Position.CellId, Place + new Vector3(inside ? 4 : 0, 0, -0.2f))));
             new AnimatedStatic(mill, world, 0).Animate(Tick);
             Assert.Equal(inside, mill.State.HasFlag(PhysicsState.Ethereal));
@@ -234,7 +235,7 @@ public sealed class AnimatedStaticTests
         Assert.NotEqual(hashes[0], hashes[2]);
     }
 
-    [Fact, Behaviour("object.animated.steps-without-allocation", "design, decision 4")]
+    [Fact, Behaviour("object.animated.quanta-without-allocation", "design, decision 4")]
     public void An_animated_static_allocates_nothing()
     {
         PhysicsEngine engine = new(Outdoors(new SetOmegaHook(Vector3.UnitZ) { Direction = 1 }).World());

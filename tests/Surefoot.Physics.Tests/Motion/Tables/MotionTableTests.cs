@@ -287,10 +287,10 @@ public class MotionTableTests
         // (motion.table.newest-modifier-is-re-done-for-all).
         MotionCommand[] commands = [MotionCommand.Ready, MotionCommand.WalkForward, MotionCommand.RunForward, MotionCommand.TurnRight,
             MotionCommand.Falling];
-        Gen.Select(Gen.Int[0, commands.Length - 1], Gen.Float[-3, 3], Gen.Bool, Gen.Int[0, 3]).List[1, 60].Sample(steps =>
+        Gen.Select(Gen.Int[0, commands.Length - 1], Gen.Float[-3, 3], Gen.Bool, Gen.Int[0, 3]).List[1, 60].Sample(orders =>
         {
             MotionTableManager manager = Ready();
-            foreach ((int command, float speed, bool stop, int quanta) in steps)
+            foreach ((int command, float speed, bool stop, int quanta) in orders)
             {
                 if (stop) manager.StopMotion(commands[command]);
                 else manager.DoMotion(commands[command], speed);

@@ -60,7 +60,7 @@ public class SequenceTests
 
     [Fact]
     [Behaviour("motion.sequence.backwards-frames", "spec/01b, 1.4 and 4")]
-    public void Walking_backwards_hands_out_the_same_step_backwards()
+    public void Walking_backwards_hands_out_the_same_movement_backwards()
     {
         MotionSequence sequence = Cycle(new Vector3(0, 3.12f, 0), -0.649999976f);
         Assert.Equal(-19.5f, sequence.CurrentFramerate, 1e-5f);
@@ -143,8 +143,8 @@ public class SequenceTests
     [Behaviour("motion.sequence.loop-hands-out-the-first-frame-at-once", "spec/01b, 1, advance_to_next_animation")]
     public void A_loop_hands_out_every_frame_once()
     {
-        Vector3[] steps = [new(1, 0, 0), new(0, 2, 0), new(0, 0, 4)];
-        AnimationAsset animation = new(5, 3, steps.Select(s => new Frame(s, Quaternion.Identity)).ToArray());
+        Vector3[] movements = [new(1, 0, 0), new(0, 2, 0), new(0, 0, 4)];
+        AnimationAsset animation = new(5, 3, movements.Select(s => new Frame(s, Quaternion.Identity)).ToArray());
         MotionSequence sequence = Cycle(Vector3.Zero, 1f, animation: animation);
 
         // Two frames are passed in 2/30 s; the third is held until the loop, which hands out the first frame of the next round.

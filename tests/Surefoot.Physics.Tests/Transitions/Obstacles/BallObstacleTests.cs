@@ -120,7 +120,7 @@ public class BallObstacleTests
     }
 
     [Fact, Behaviour("ball.landing.refused", "spec/04, 6.16 and 4.8 rows 7 and 8")]
-    public void Short_steps_creatures_and_distance_refuse_the_landing()
+    public void Short_ways_creatures_and_distance_refuse_the_landing()
     {
         Assert.Equal(TransitionState.Collided, Falling(new(0, 0, 0.985f), new(0, 0, 0.975f)).Ask(Low));
         Assert.Equal(TransitionState.OK, Falling(new(0.1f, 0, 2), new(0.1f, 0, 1.3f)).Ask(Ball, creature: true));

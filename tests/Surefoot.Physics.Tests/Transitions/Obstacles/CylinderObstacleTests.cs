@@ -33,7 +33,7 @@ public class CylinderObstacleTests
     }
 
     [Fact, Behaviour("cylinder.step-up.refused", "spec/04, 6.13, CCylSphere::step_sphere_up @0x0053B310")]
-    public void A_refused_step_onto_a_low_cylinder_slides()
+    public void A_refused_step_up_onto_a_low_cylinder_slides()
     {
         Mover mover = Walker(new(-1.2f, 0, 0.9f), new(-0.9f, 0.2f, 0.9f)).LastStoodOn(Vector3.UnitZ);
         Vector3 before = mover.At;

@@ -136,7 +136,7 @@ public class ObstacleSweepTests
     }
 
     [Fact, Behaviour("obstacle.box.missile", "spec/04, 6.17 B8")]
-    public void A_missile_ends_with_the_step_that_hit_and_not_at_the_wall() =>
+    public void A_missile_ends_with_the_sub_step_that_hit_and_not_at_the_wall() =>
         AssertEnds(
             Run(Box(new(1, -5, 0), new(2, 5, 3)), new(-0.5f, 0, 1), new(1.4f, 0, 0), Missile, 0.2f, ground: false),
             0.699999988f, 0, 1, Air, new(-1, 0, 0));
@@ -238,8 +238,8 @@ public class ObstacleSweepTests
         AssertEnds(Run(Pillar(0.5f), new(1.6f, 0, 0.5f), new(0.3f, 0, 0), Stand, floor: 0.5f), 1.9000001f, 0, 0.49999997f, Stand,
             PrintsNoNormal);
 
-    [Fact, Behaviour("obstacle.cylinder.refused-step", "spec/04, 6.17 C9, C9b")]
-    public void A_refused_step_slides_with_a_normal_that_turns_with_the_object()
+    [Fact, Behaviour("obstacle.cylinder.refused-step-up", "spec/04, 6.17 C9, C9b")]
+    public void A_refused_step_up_slides_with_a_normal_that_turns_with_the_object()
     {
         const float Root = 0.707106769f;
         Func<Transition, TransitionState> ceiling = Box(new(-3, -3, 1.9f), new(3, 3, 2.5f));

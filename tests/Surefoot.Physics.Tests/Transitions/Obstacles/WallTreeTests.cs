@@ -30,7 +30,7 @@ public class WallTreeTests
         Assert.Equal(new Vector3(-1, 0, 0), mover.Collision.CollisionNormal);
     }
 
-    [Fact, Behaviour("bsp.grounded.refused-step-slides", "spec/04, 6.8, SPHEREPATH::step_up_slide @0x0050C3B0")]
+    [Fact, Behaviour("bsp.grounded.refused-step-up-slides", "spec/04, 6.8, SPHEREPATH::step_up_slide @0x0050C3B0")]
     public void A_walker_that_cannot_step_up_slides_along_the_wall()
     {
         Mover mover = new Mover(Standing, new(0.4f, 0, 0.48f), new(0.7f, 0.3f, 0.48f), 0.48f).LastStoodOn(Vector3.UnitZ);

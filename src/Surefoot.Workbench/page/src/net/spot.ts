@@ -22,7 +22,7 @@ export function parseSpot(text: string): ParsedSpot {
     return { error: `${formatCell(cell)} cannot name a cell: its low half is 0001 to 0040 outdoors, 0100 to FFFD indoors` };
   const numbers = rest.map((part) => (part.trim() === "" ? Number.NaN : Number(part)));
   const wrong = numbers.findIndex((one) => !Number.isFinite(one) || !Number.isFinite(Math.fround(one)));
-  if (wrong >= 0) return { error: `${rest[wrong]} is no number of metres` };
+  if (wrong >= 0) return { error: `${rest[wrong]} is not a finite number of metres` };
   const [x, y, z, ...turn] = numbers;
   switch (numbers.length) {
     case 2:

@@ -20,16 +20,16 @@ const blockWest = 0xa9 * 192;
 describe("a timeline", () => {
   it("draws between two poses on the line that joins them", () => {
     const line = new PoseTimeline();
-    for (let step = 0; step <= 5; step++) line.push(pose(1 + step * 0.04, 20 + step * 0.4));
+    for (let quantum = 0; quantum <= 5; quantum++) line.push(pose(1 + quantum * 0.04, 20 + quantum * 0.4));
     expect(line.at(1.09)?.position.x).toBeCloseTo(blockWest + 20.9, 9);
     expect(line.at(1.11)?.position.x).toBeCloseTo(blockWest + 21.1, 9);
   });
 
-  it("evens out the unequal steps of whole animation frames", () => {
+  it("evens out the unequal strides of whole animation frames", () => {
     const line = new PoseTimeline();
-    // Quanta of 1/30 s at 79.5 frames a second of 4/30 m each: two or three frames a step (spec 01b, section 2).
-    for (let step = 0; step <= 30; step++)
-      line.push(pose(step / 30, (Math.floor(step * 2.65) * 4) / 30, { velocity: { x: 0, y: 0, z: 0 } }));
+    // Quanta of 1/30 s at 79.5 frames a second of 4/30 m each: two or three frames a quantum (spec 01b, section 2).
+    for (let quantum = 0; quantum <= 30; quantum++)
+      line.push(pose(quantum / 30, (Math.floor(quantum * 2.65) * 4) / 30, { velocity: { x: 0, y: 0, z: 0 } }));
     let slowest = Infinity;
     let fastest = 0;
     for (let time = 0.2; time < 0.8; time += 1 / 60) {

@@ -27,7 +27,7 @@ const keep = 32;
 const longestGuess = 0.1;
 
 /**
- * Seconds over which the drawn path is averaged. Retail hands out ground movement in whole animation frames, so that a runner's steps are
+ * Seconds over which the drawn path is averaged. Retail hands out ground movement in whole animation frames, so that a runner's strides are
  * unequal; on screen that would be a shiver.
  */
 export const smoothOver = 0.08;

@@ -95,7 +95,7 @@ function partsOf({ from, to, faces }: Side, planes: Map<string, Face[]>): [numbe
 }
 
 function planeKey({ corners, normal }: Face): string {
-  const round = (value: number, steps: number): number => Math.round(value * steps) + 0;
+  const round = (value: number, parts: number): number => Math.round(value * parts) + 0;
   return `${round(normal.x, 100)},${round(normal.y, 100)},${round(normal.z, 100)},${round(normal.dot(corners[0]), 20)}`;
 }
 

@@ -141,11 +141,11 @@ export class Figure {
     for (const [index, leg] of this.legs.entries()) {
       const side = index === 0 ? -1 : 1;
       const phase = this.phase + (index === 0 ? 0 : Math.PI);
-      const step = Math.sin(phase) * swing;
+      const stride = Math.sin(phase) * swing;
       const lift = Math.max(0, Math.cos(phase)) * (0.55 * moving + 0.85 * running) * ground;
       const tuck = this.air * (index === 0 ? 0.85 : 0.25);
-      leg.root.rotation.x = step * this.headingY + 0.35 * lift * Math.max(0, this.headingY) + tuck + bend * 0.95;
-      leg.root.rotation.y = -step * this.headingX * 0.75 + side * -0.03;
+      leg.root.rotation.x = stride * this.headingY + 0.35 * lift * Math.max(0, this.headingY) + tuck + bend * 0.95;
+      leg.root.rotation.y = -stride * this.headingX * 0.75 + side * -0.03;
       leg.joint.rotation.x = -(lift + 0.12 * moving * ground + this.air * (index === 0 ? 1.25 : 0.75) + bend * 1.9);
     }
     for (const [index, arm] of this.arms.entries()) {
