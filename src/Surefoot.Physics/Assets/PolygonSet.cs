@@ -36,14 +36,6 @@ public sealed class PolygonSet
 
     /// <summary>A polygon, to be asked questions of.</summary>
     internal ConvexPolygon this[int polygon] => new(planes[polygon], CornersOf(polygon));
-
-    /// <summary>A set of polygons given by their corners; the planes are worked out.</summary>
-    internal static PolygonSet FromCorners(params ReadOnlySpan<Vector3[]> polygons)
-    {
-        PolygonSetBuilder builder = new(polygons.Length);
-        foreach (Vector3[] polygon in polygons) builder.Add(polygon);
-        return builder.Build();
-    }
 }
 
 /// <summary>Collects polygons into flat arrays.</summary>

@@ -55,9 +55,6 @@ public sealed partial class PhysicsBody
 
         SlidingNormal = collision.SlidingNormal;
         Set(TransientState.Sliding, collision.SlidingNormalValid);
-        LastHitCount = collision.ObjectCount;
-        LastCollisionNormal = collision.CollisionNormalValid ? collision.CollisionNormal : null;
-        LastCollidedWithEnvironment = collision.CollidedWithEnvironment;
         HandleAllCollisions(collision, hadContact, hadWalkable, simulatedTime);
 
         if (Cell is null) return;

@@ -109,9 +109,6 @@ public sealed partial class PhysicsBody
     private void UpdateObjectInternal(float quantum, double simulatedTime, bool sweepWithoutSpheres)
     {
         if (!IsActive || Cell is null) return;
-        LastHitCount = 0;
-        LastCollisionNormal = null;
-        LastCollidedWithEnvironment = false;
         if (Has(TransientState.CheckEthereal)) SetEthereal(false);
 
         Position proposal = new(PositionField.CellId, UpdatePositionInternal(quantum, simulatedTime));

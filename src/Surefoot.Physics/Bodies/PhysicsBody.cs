@@ -92,17 +92,8 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody, IHookTarget
     /// <summary>Length of the last quantum simulated, seconds.</summary>
     public float LastQuantum { get; private set; }
 
-    /// <summary>Simulated time and place at the beginning of the last quantum, for drawing between quanta.</summary>
+    /// <summary>Where the body was at the beginning of the last quantum, for drawing between quanta.</summary>
     public Position PreviousPosition { get; private set; } = Position.Nowhere;
-
-    /// <summary>What the last transition of this body met.</summary>
-    public int LastHitCount { get; private set; }
-
-    /// <summary>Unit normal of the last collision of the last transition, or null.</summary>
-    public Vector3? LastCollisionNormal { get; private set; }
-
-    /// <summary>The last transition collided with terrain, a building, a room or a static object while without contact.</summary>
-    public bool LastCollidedWithEnvironment { get; private set; }
 
     /// <summary>Is told of collisions.</summary>
     public ICollisionListener? Listener { get; set; }

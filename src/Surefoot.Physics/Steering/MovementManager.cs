@@ -103,10 +103,6 @@ public sealed partial class MovementManager
     /// <remarks>Retail: MovementManager::EnterDefaultState @0x005241C0.</remarks>
     public void EnterDefaultState() => Interpreter.EnterDefaultState();
 
-    /// <summary>Stamina ran out or came back: the same motions, at other speeds.</summary>
-    /// <remarks>Retail: MovementManager::ReportExhaustion @0x00524360.</remarks>
-    public void ReportExhaustion() => interpreter?.ReportExhaustion();
-
     /// <inheritdoc/>
     /// <remarks>Retail: MovementManager::CancelMoveTo @0x005241B0.</remarks>
     public void CancelMoveTo() => MoveTo?.Cancel(MotionError.Cancelled);

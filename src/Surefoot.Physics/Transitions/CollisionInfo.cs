@@ -1,5 +1,4 @@
 using System.Numerics;
-using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.World;
 
@@ -69,9 +68,6 @@ internal sealed class CollisionInfo
     /// <summary>The distinct objects met, in order.</summary>
     public ReadOnlySpan<WorldObject> Objects => objects.AsSpan(0, ObjectCount);
 
-    /// <summary>The last object that did more than touch.</summary>
-    public WorldObject? LastCollidedObject { get; private set; }
-
     /// <summary>Forgets a transition; planes and normals become zero, as in a client that has just started.</summary>
     internal void Reset()
     {
@@ -90,7 +86,6 @@ internal sealed class CollisionInfo
         ContactPlaneValid = LastKnownContactPlaneValid = SlidingNormalValid = CollisionNormalValid = false;
         Array.Clear(objects, 0, ObjectCount);
         ObjectCount = 0;
-        LastCollidedObject = null;
         CollidedWithEnvironment = false;
         ContactPlaneCellId = 0;
         FramesStationaryFall = 0;
@@ -138,14 +133,13 @@ internal sealed class CollisionInfo
         SlidingNormal = RetailMath.NormalizeCheckSmall(ref normal) ? Vector3.Zero : normal;
     }
 
-    /// <summary>Lists an object once; a result other than OK makes it the last one collided with.</summary>
+    /// <summary>Lists an object once.</summary>
     /// <remarks>Retail: COLLISIONINFO::add_object @0x006B4E20.</remarks>
-    internal void AddObject(WorldObject item, TransitionState state)
+    internal void AddObject(WorldObject item)
     {
         for (int i = 0; i < ObjectCount; i++)
             if (ReferenceEquals(objects[i], item)) return;
         if (ObjectCount == objects.Length) Array.Resize(ref objects, ObjectCount * 2);
         objects[ObjectCount++] = item;
-        if (state != TransitionState.OK) LastCollidedObject = item;
     }
 }

@@ -30,7 +30,6 @@ internal sealed class SpherePath
     internal int SphereCount;
     internal Vector3 LocalLowPoint;
     internal Vector3 GlobalLowPoint;
-    internal Vector3 LocalSpaceLowPoint;
     internal Vector3 LocalSpaceZ;
     internal Position LocalSpacePos;
 
@@ -161,7 +160,6 @@ internal sealed class SpherePath
 
         LocalSpacePos = obstacle;
         LocalSpaceZ = obstacle.Frame.LocalUp;
-        LocalSpaceLowPoint = RetailMath.AddScaled(LocalSpaceSpheres[0].Center, -LocalSpaceSpheres[0].Radius, LocalSpaceZ);
     }
 
     /// <summary>Moves the position under test and its spheres, metres.</summary>

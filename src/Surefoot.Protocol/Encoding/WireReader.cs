@@ -26,9 +26,6 @@ public ref struct WireReader
     /// <summary>Bytes left; none after a fault.</summary>
     public readonly int Remaining => bytes.Length - Position;
 
-    /// <summary>The bytes left.</summary>
-    public readonly ReadOnlySpan<byte> Rest => bytes[Position..];
-
     /// <summary>Refuses what was read: sets <see cref="Fault"/>, unless something was wrong before.</summary>
     public void Fail(WireFault fault)
     {

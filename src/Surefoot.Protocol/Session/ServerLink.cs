@@ -91,9 +91,6 @@ public sealed class ServerLink
             : null;
     }
 
-    /// <summary>Number of the session that a datagram is for; null for one that is too short.</summary>
-    public static ushort? NetIdOf(ReadOnlySpan<byte> bytes) => bytes.Length >= PacketHeader.Length ? PacketHeader.Read(bytes).Id : null;
-
     /// <summary>The client's login request came again, so that the connect request may have been lost: sends it again, unless the client
     /// has answered.</summary>
     /// <param name="loginLength">Bytes of the repeated datagram.</param>

@@ -24,7 +24,6 @@ internal sealed class Inhabitants
     private const double OpenFor = 6;
     private const double RetryAfter = 1;
 
-    private readonly PhysicsEngine engine;
     private readonly List<Inhabitant> all = [];
     private readonly Dictionary<uint, Inhabitant> byId = [];
     private double retryAt = double.NegativeInfinity;
@@ -38,7 +37,6 @@ internal sealed class Inhabitants
     /// <exception cref="DatFormatException">One of them is malformed.</exception>
     public Inhabitants(PhysicsEngine engine, PhysicsDataCache cache, IReadOnlyList<DemoSpawn> spawns, ulong seed)
     {
-        this.engine = engine;
         Dictionary<(uint Id, bool WithParts), MotionTableAsset> tables = [];
         for (int i = 0; i < spawns.Count; i++)
         {

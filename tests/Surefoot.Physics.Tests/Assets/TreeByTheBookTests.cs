@@ -26,7 +26,7 @@ public class TreeByTheBookTests
 
     private static (PhysicsBsp Flat, Book Book) Grow(Vector3[][] triangles, int seed)
     {
-        PolygonSet polygons = PolygonSet.FromCorners(triangles);
+        PolygonSet polygons = Trees.Polygons(triangles);
         PhysicsBspBuilder builder = new(polygons);
         Random random = new(seed);
         Book book = Any(0, out int root);

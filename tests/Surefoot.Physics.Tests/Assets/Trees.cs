@@ -40,10 +40,18 @@ internal static class Trees
         return Chain(faces, bounds);
     }
 
+    /// <summary>Polygons given by their corners; the planes are worked out.</summary>
+    internal static PolygonSet Polygons(params ReadOnlySpan<Vector3[]> polygons)
+    {
+        PolygonSetBuilder builder = new(polygons.Length);
+        foreach (Vector3[] polygon in polygons) builder.Add(polygon);
+        return builder.Build();
+    }
+
     /// <summary>A convex solid: in front of each face nothing, behind all of them a solid leaf with every face.</summary>
     internal static PhysicsBsp Chain(Vector3[][] faces, Sphere bounds)
     {
-        PolygonSet polygons = PolygonSet.FromCorners(faces);
+        PolygonSet polygons = Polygons(faces);
         PhysicsBspBuilder builder = new(polygons);
         int below = builder.AddLeaf(bounds, true, [.. Enumerable.Range(0, faces.Length)]);
         for (int i = faces.Length - 1; i >= 0; i--)

@@ -1,6 +1,5 @@
 using System.Numerics;
 using Surefoot.Physics.Bodies;
-using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Tests.Transitions;
 using Surefoot.Physics.Transitions;
 using Surefoot.Physics.World;
@@ -128,7 +127,7 @@ public class CollisionReportTests
         (BodyFixture f, Witness witness) = Witnessed();
         f.Seat(new(12, 12, 0), Vector3.Zero, BodyFixture.Standing);
         CollisionInfo touch = Touching(false);
-        for (uint id = 2; id < 6; id++) touch.AddObject(f.Engine.CreateBody(id, null, PhysicsState.Default), TransitionState.Collided);
+        for (uint id = 2; id < 6; id++) touch.AddObject(f.Engine.CreateBody(id, null, PhysicsState.Default));
         f.Body.HandleAllCollisions(touch, hadContact: true, hadWalkable: true, simulatedTime: 1);
         witness.AtEnd = () => f.Engine.RemoveBody(f.Body);
         f.Body.HandleAllCollisions(Touching(false), hadContact: true, hadWalkable: true, simulatedTime: 9);
@@ -143,7 +142,7 @@ public class CollisionReportTests
         PhysicsBody wall = f.Engine.CreateBody(2, null, PhysicsState.Default | PhysicsState.ReportCollisionsAsEnvironment, Creature);
         f.Seat(new(12, 12, 0), Vector3.Zero, BodyFixture.Standing);
         CollisionInfo touch = Touching(false);
-        touch.AddObject(wall, TransitionState.Collided);
+        touch.AddObject(wall);
         f.Body.HandleAllCollisions(touch, hadContact: true, hadWalkable: true, simulatedTime: 1);
         Assert.Equal(1, witness.Environments);
         Assert.Empty(witness.Objects);
@@ -158,7 +157,7 @@ public class CollisionReportTests
         PhysicsBody mist = f.Engine.CreateBody(2, null, PhysicsState.Default | PhysicsState.Ethereal, Creature);
         f.Seat(new(12, 12, 0), Vector3.Zero, BodyFixture.Standing);
         CollisionInfo touch = Touching(false);
-        touch.AddObject(mist, TransitionState.OK);
+        touch.AddObject(mist);
         f.Body.HandleAllCollisions(touch, hadContact: true, hadWalkable: true, simulatedTime: 1);
         Assert.Empty(witness.Ends);
         f.Body.HandleAllCollisions(Touching(false), hadContact: true, hadWalkable: true, simulatedTime: 1.01);
@@ -180,7 +179,7 @@ public class CollisionReportTests
         // Left of the target, behind it, and at 1 m of its 1.83 m in the middle third.
         f.Seat(new(11, 11, 1), new(0, 9, 0), TransientState.None);
         CollisionInfo touch = Touching(false);
-        touch.AddObject(target, TransitionState.Collided);
+        touch.AddObject(target);
         Assert.True(f.Body.HandleAllCollisions(touch, hadContact: true, hadWalkable: true, simulatedTime: 1));
         Assert.Equal([new AttackCollision(2, 8 | 64 | 2)], mine.Attacks);
         Assert.Empty(mine.Profiles);
@@ -199,7 +198,7 @@ public class CollisionReportTests
         other.Listener = theirs;
         f.Seat(new(12, 12, 0), new(3, 0, 0), BodyFixture.Standing);
         CollisionInfo touch = Touching(false);
-        touch.AddObject(other, TransitionState.Collided);
+        touch.AddObject(other);
         f.Body.HandleAllCollisions(touch, hadContact: false, hadWalkable: true, simulatedTime: 1);
         Assert.Equal(
             [new ObjectCollision(2, new(3, 0, 0), WeenieTraits.Present, MeInContact: false, OtherIsMissile: false, OtherInContact: false)],
@@ -210,7 +209,7 @@ public class CollisionReportTests
         PhysicsBody shy = f.Engine.CreateBody(3, null, PhysicsState.Default | PhysicsState.IgnoreCollisions, WeenieTraits.Present);
         shy.Listener = theirs;
         touch = Touching(false);
-        touch.AddObject(shy, TransitionState.Collided);
+        touch.AddObject(shy);
         f.Body.HandleAllCollisions(touch, hadContact: true, hadWalkable: true, simulatedTime: 1.1);
         Assert.Equal((1, 2), (mine.Profiles.Count, theirs.Profiles.Count));
     }
@@ -231,7 +230,7 @@ public class CollisionReportTests
         PhysicsBody other = f.Engine.CreateBody(2, null, PhysicsState.Default, Creature);
         f.Seat(new(12, 12, 0), Vector3.Zero, BodyFixture.Standing);
         CollisionInfo touch = Touching(false);
-        touch.AddObject(other, TransitionState.Collided);
+        touch.AddObject(other);
         return (f, witness, touch);
     }
 

@@ -11,6 +11,9 @@ internal sealed partial class MotionInterpreter
     private const float RunTurnFactor = 1.5f;
     private const float MaxSidestep = 3f;
 
+    /// <summary>Factor between the forward speed and the run rate: retail has a field for it that nothing writes.</summary>
+    private const float SpeedFactor = 1f;
+
     /// <summary>Left becomes right and back becomes forward, with signed speeds; the run key makes forward a run.</summary>
     /// <remarks>Retail: CMotionInterp::adjust_motion @0x00528010.</remarks>
     public void AdjustMotion(ref MotionCommand motion, ref float speed, HoldKey key)
@@ -87,6 +90,6 @@ internal sealed partial class MotionInterpreter
     /// <summary>Running speed as it is now: that of the forward motion when it runs, m/s.</summary>
     /// <remarks>Retail: CMotionInterp::get_adjusted_max_speed @0x00527D00.</remarks>
     public float AdjustedMaxSpeed => Interpreted.ForwardCommand == MotionCommand.RunForward
-        ? (float)((double)Interpreted.ForwardSpeed / CurrentSpeedFactor * MovementFormulas.RunSpeed)
+        ? (float)((double)Interpreted.ForwardSpeed / SpeedFactor * MovementFormulas.RunSpeed)
         : MaxSpeed;
 }

@@ -17,12 +17,12 @@ internal sealed partial class MotionInterpreter
 {
     private readonly RingQueue<PendingMotion> pending = new();
     private readonly IMotionBody? body;
-    private IWeenieObj? weenie;
+    private readonly IWeenieObj? weenie;
 
     /// <summary>An interpreter for a body with these animations.</summary>
     /// <param name="animation">The animations; null for a body without a motion table.</param>
     /// <param name="body">The body; may be set later.</param>
-    /// <param name="weenie">What the game knows of it; may be set later.</param>
+    /// <param name="weenie">What the game knows of it, if anything.</param>
     public MotionInterpreter(MotionTableManager? animation, IMotionBody? body = null, IWeenieObj? weenie = null)
     {
         Animation = animation;
@@ -55,9 +55,6 @@ internal sealed partial class MotionInterpreter
     /// <summary>Run rate a server told, used when the weenie does not know its own.</summary>
     public float MyRunRate { get; internal set; } = 1f;
 
-    /// <summary>Factor between the forward speed and the run rate; 1 in play.</summary>
-    public float CurrentSpeedFactor { get; } = 1f;
-
     /// <summary>Stamp of the last action a server ordered, 15 bits.</summary>
     public uint ServerActionStamp { get; private set; }
 
@@ -76,14 +73,6 @@ internal sealed partial class MotionInterpreter
     private bool IsThePlayer => weenie is null || weenie.IsThePlayer;
 
     private static bool Stands(IMotionBody b) => b.HasContact && b.OnWalkable;
-
-    /// <summary>Takes another weenie and acts by its speeds.</summary>
-    /// <remarks>Retail: CMotionInterp::SetWeenieObject @0x00528920.</remarks>
-    public void SetWeenieObject(IWeenieObj? value)
-    {
-        weenie = value;
-        if (body is not null && IsInitialised) ApplyCurrentMovement(cancelMoveTo: true, disallowJump: false);
-    }
 
     /// <summary>Both states to their defaults, the animations to the beginning.</summary>
     /// <remarks>Retail: CMotionInterp::enter_default_state @0x00528C80.</remarks>

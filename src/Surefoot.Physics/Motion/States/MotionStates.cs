@@ -117,14 +117,6 @@ internal sealed class RawMotionState
         actions.Clear();
         for (int i = 0; i < other.actions.Count; i++) actions.Enqueue(other.actions[i]);
     }
-
-    /// <summary>A state of its own with the same content.</summary>
-    public RawMotionState Clone()
-    {
-        RawMotionState copy = new();
-        copy.CopyFrom(this);
-        return copy;
-    }
 }
 
 /// <summary>What the body does: normalised commands (right and forward only) with signed speeds.</summary>
@@ -217,14 +209,5 @@ public sealed class InterpretedMotionState
         (CurrentStyle, ForwardCommand, ForwardSpeed) = (MotionCommand.NonCombat, MotionCommand.Ready, 1f);
         (SidestepCommand, SidestepSpeed, TurnCommand, TurnSpeed) = (MotionCommand.None, 1f, MotionCommand.None, 1f);
         actions.Clear();
-    }
-
-    /// <summary>A state of its own with the same content.</summary>
-    internal InterpretedMotionState Clone()
-    {
-        InterpretedMotionState copy = new();
-        copy.CopyMovementFrom(this);
-        for (int i = 0; i < actions.Count; i++) copy.actions.Enqueue(actions[i]);
-        return copy;
     }
 }

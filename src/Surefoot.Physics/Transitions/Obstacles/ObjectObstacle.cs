@@ -43,7 +43,7 @@ internal static class ObjectObstacle
                     transition.Collision.CollisionNormalValid = false;
                 }
 
-                transition.Collision.AddObject(target, state);
+                transition.Collision.AddObject(target);
             }
         }
 

@@ -19,9 +19,6 @@ internal sealed class SentPackets(int most)
     private readonly Queue<SentPacket> kept = new();
     private readonly Stack<SentPacket> free = new();
 
-    /// <summary>How many there are.</summary>
-    public int Count => kept.Count;
-
     /// <summary>Keeps a packet. When there are too many, the oldest goes.</summary>
     public void Keep(uint sequence, uint key, uint payloadHash, double now, ReadOnlySpan<byte> bytes)
     {

@@ -66,8 +66,8 @@ public class InterpreterTests
         Assert.Equal(10f, player.AdjustedMaxSpeed);
         Assert.Equal(9.5f, player.MaxSpeed);
 
-        player.SetWeenieObject(null);
-        Assert.Equal(1f, player.RunRate);
+        (_, MotionInterpreter nobody) = FakeBody.Standing(null);
+        Assert.Equal(1f, nobody.RunRate);
     }
 
     [Fact]

@@ -92,7 +92,8 @@ public class MotionStateTests
         state.ApplyMotion(MotionCommand.TurnRight, p);
         Assert.Equal((MotionCommand.RunForward, -0.5f), (state.ForwardCommand, state.ForwardSpeed));
         Assert.Equal((-0.5f, -0.5f), (state.SidestepSpeed, state.TurnSpeed));
-        InterpretedMotionState copy = state.Clone();
+        InterpretedMotionState copy = new();
+        copy.CopyMovementFrom(state);
         state.RemoveMotion(MotionCommand.RunForward);
         state.RemoveMotion(MotionCommand.SideStepRight);
         state.RemoveMotion(MotionCommand.TurnRight);
@@ -108,7 +109,8 @@ public class MotionStateTests
     {
         RawMotionState raw = new() { CurrentHoldKey = HoldKey.Run };
         for (uint i = 0; i < 20; i++) raw.AddAction(new MotionAction(Bow, 1f, i, true));
-        RawMotionState copy = raw.Clone();
+        RawMotionState copy = new();
+        copy.CopyFrom(raw);
         raw.RemoveAction();
         Assert.Equal((19, 20), (raw.ActionCount, copy.ActionCount));
         Assert.Equal((1u, 0u), (raw.GetAction(0).Stamp, copy.GetAction(0).Stamp));

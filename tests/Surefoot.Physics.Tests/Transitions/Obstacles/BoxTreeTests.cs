@@ -138,7 +138,7 @@ public class BoxTreeTests
         Vector3[][] faces = [.. order
             .Select(f => Trees.Corners(f, Vector3.Zero, new(2)))];
         Sphere bounds = new(new(1), 1.7320508f);
-        PolygonSet polygons = PolygonSet.FromCorners(faces);
+        PolygonSet polygons = Trees.Polygons(faces);
         PhysicsBspBuilder builder = new(polygons);
         int[] all = [0, 1, 2, 3, 4, 5];
         int below = builder.AddLeaf(bounds, true, all);

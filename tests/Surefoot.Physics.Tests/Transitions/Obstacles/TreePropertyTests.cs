@@ -27,7 +27,7 @@ public class TreePropertyTests
 
     private static PhysicsBsp Split(Vector3[][] triangles)
     {
-        PolygonSet polygons = PolygonSet.FromCorners(triangles);
+        PolygonSet polygons = Trees.Polygons(triangles);
         PhysicsBspBuilder builder = new(polygons);
         Sphere everything = new(Vector3.Zero, 20);
         int root = Add([.. Enumerable.Range(0, triangles.Length)], 0);
