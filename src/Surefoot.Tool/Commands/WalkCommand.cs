@@ -29,6 +29,12 @@ internal static class WalkCommand
             DefaultValueFactory = _ => 0,
         };
         Option<double> latency = new("--latency") { Description = "Milliseconds until the server answers.", DefaultValueFactory = _ => 0 };
+        Option<double?> quantum = new("--quantum")
+        {
+            Description =
+                "Milliseconds of a quantum: the script is divided into such as near as may be, and each leg takes exactly its time, " +
+                "as the page's commands ask. Without it, frames of 60 a second.",
+        };
         Option<string> script = new("--script")
         {
             Description = "Keys and seconds: W A S D Q E Shift Space Wait, joined by + and separated by ;",
@@ -43,7 +49,7 @@ internal static class WalkCommand
             "Walks a script and prints where the body was.\n\nExample:\n" +
             $"  surefoot walk --at meadow --run 300 --jump 250 --script \"{WalkScript.Example}\" --html walk.html")
         {
-            at, run, jump, burden, latency, script, json, csv, html, dats,
+            at, run, jump, burden, latency, quantum, script, json, csv, html, dats,
         };
         command.SetAction(parsed =>
         {
@@ -56,8 +62,11 @@ internal static class WalkCommand
                 throw new UsageException("--json and --csv are two forms of the same: give one of them.");
             if (!(seconds is >= 0 and <= 60))
                 throw new UsageException("--latency is between 0 and 60000 milliseconds, for example --latency 120.");
+            double? step = parsed.GetValue(quantum) / 1000;
+            if (step is not (null or (>= 1.0 / 30 and <= 0.2)))
+                throw new UsageException("--quantum is between 33.34 and 200 milliseconds, for example --quantum 40.");
             using WalkScene scene = WalkScene.Open(parsed.GetValue(dats));
-            WalkResult walk = WalkRunner.Run(scene, scene.FindPlace(parsed.GetRequiredValue(at)), stats, legs, text, seconds);
+            WalkResult walk = WalkRunner.Run(scene, scene.FindPlace(parsed.GetRequiredValue(at)), stats, legs, text, seconds, step);
             CommonOptions.SayLeftOut(scene.Simulation.World.LeftOut);
             if (parsed.GetValue(html) is { } file)
             {

@@ -1,5 +1,6 @@
 using System.Numerics;
 using Surefoot.Client;
+using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.World;
@@ -27,16 +28,22 @@ internal sealed class WalkRunner : IMovementObserver
     /// <param name="legs">What the hands do.</param>
     /// <param name="script">The same as text, for the result.</param>
     /// <param name="latency">Seconds until the server answers.</param>
+    /// <param name="quantum">
+    /// Seconds, from 1/30 on: each leg is divided into quanta of this length, as near as may be, and takes exactly its time. Null for a
+    /// game's frames, which quanta and keys wait for.
+    /// </param>
     /// <exception cref="UsageException">No player can be at the place.</exception>
     internal static WalkResult Run(
-        WalkScene scene, ScenePlace place, CharacterStats stats, IReadOnlyList<WalkLeg> legs, string script, double latency)
+        WalkScene scene, ScenePlace place, CharacterStats stats, IReadOnlyList<WalkLeg> legs, string script, double latency,
+        double? quantum = null)
     {
         WalkRunner runner = new();
-        runner.RunLegs(scene, place, stats, legs, latency);
+        runner.RunLegs(scene, place, stats, legs, latency, quantum);
         return new WalkResult(place.Name, script, stats.RunSkill, stats.JumpSkill, runner.samples, runner.events);
     }
 
-    private void RunLegs(WalkScene scene, ScenePlace place, CharacterStats stats, IReadOnlyList<WalkLeg> legs, double latency)
+    private void RunLegs(
+        WalkScene scene, ScenePlace place, CharacterStats stats, IReadOnlyList<WalkLeg> legs, double latency, double? quantum)
     {
         double now = scene.Simulation.Engine.Now + 1;
         scene.Simulation.Tick(now);
@@ -49,16 +56,27 @@ internal sealed class WalkRunner : IMovementObserver
         uint cell = player.Body.Position.CellId;
         foreach (WalkLeg leg in legs)
         {
-            int frames = Math.Max(1, (int)Math.Round(leg.Seconds / Frame));
-            for (int i = 0; i < frames; i++)
+            (int updates, double each) = Divide(leg.Seconds, quantum);
+            if (quantum is not null) player.Update(leg.Keys, now);
+            for (int i = 0; i < updates; i++)
             {
                 MotionError refusedBefore = player.Local.Controller.LastRefusal;
-                if (player.Update(leg.Keys, now += Frame)) Record(player, now);
+                if (player.Update(leg.Keys, now += each)) Record(player, now);
                 Notice(player, now, ref stood, ref cell, refusedBefore);
             }
         }
 
         scene.Simulation.Remove(player);
+    }
+
+    /// <summary>How often the keys of a leg are looked at, and how many seconds apart.</summary>
+    private static (int Updates, double Each) Divide(double seconds, double? quantum)
+    {
+        if (quantum is not { } wanted) return (Math.Max(1, (int)Math.Round(seconds / Frame)), Frame);
+        // A quantum that lacks the last bit of its least time would wait for the next update.
+        int most = (int)(seconds / (PhysicsBody.MinQuantum + 1e-9));
+        int quanta = Math.Max(1, Math.Min(most, (int)Math.Round(seconds / wanted)));
+        return (quanta, seconds / quanta);
     }
 
     private Player Spawn(Simulation simulation, ScenePlace place, CharacterStats stats, double latency)

@@ -43,6 +43,8 @@ public class CommandTests
     [InlineData("walk", "--script", "W 1", "--at", "0x01230001,12,12,0", "has no cell 0x01230001")]
     [InlineData("walk", "--script", "W 1", "--at", "0xA9B403FF,12,12,0", "has no cell 0xA9B403FF")]
     [InlineData("walk", "--script", "W 1", "--json", "--csv", "one of them")]
+    [InlineData("walk", "--script", "W 1", "--quantum", "20", "--quantum 40")]
+    [InlineData("walk", "--script", "W 1", "--quantum", "NaN", "--quantum 40")]
     [InlineData("dats", "list", ".", "--type", "Sandwich", "Setup")]
     [InlineData("walk", "script")]
     [InlineData("play", "--port", "99999", "65535")]
