@@ -80,7 +80,11 @@ public sealed class WorkbenchServer : IAsyncDisposable
         try
         {
             string name = demo ? "Demo world" : Path.GetFileName(Path.TrimEndingDirectorySeparator(dats.Folder));
-            world = new SimulatedWorld(name, dats, places, logger, demo ? DemoSpawns.All : []) { Notice = options.Notice };
+            world = new SimulatedWorld(name, dats, places, logger, demo ? DemoSpawns.All : [])
+            {
+                Notice = options.Notice,
+                DatFolder = demo ? null : Path.GetFullPath(dats.Folder),
+            };
             return await StartAsync(world, options, cancellation: cancellation).ConfigureAwait(false);
         }
         catch
@@ -192,6 +196,7 @@ public sealed class WorkbenchServer : IAsyncDisposable
     private static object Listing(IWorkbenchWorld world) => new
     {
         world = world.Name,
+        dats = world.DatFolder,
         places = world.Places.Select(place => new
         {
             name = place.Name,

@@ -118,7 +118,8 @@ public sealed class KeyboardAloneTests(Browser browser)
         {
             "- application \"The world, seen from behind your player\"", "- combobox \"Go to\"", "- group \"What is shown\"",
             "- button \"Mouse turning\" [pressed]",
-            "- button \"Physics\" [expanded]", "- slider \"Run skill\"", "- slider \"Jump skill\"", "- slider \"Burden\"",
+            "- button \"Physics\" [expanded]", "- button \"Copy as surefoot walk\"", "img \"Map from above",
+            "- slider \"Run skill\"", "- slider \"Jump skill\"", "- slider \"Burden\"",
             "- button \"Put this line away\"", "- heading \"Surefoot\"",
         })
             Assert.Contains(expected, tree, StringComparison.Ordinal);

@@ -51,7 +51,7 @@ public sealed class LayoutTests(Browser browser)
 
         // A line takes room until it is put away.
         await page.Locator("#notice button").ClickAsync();
-        foreach (string title in new[] { "panel-title", "sliders-title" })
+        foreach (string title in new[] { "panel-title", "sliders-title", "map-title" })
         {
             ILocator button = page.Locator($"#{title}");
             if (await button.GetAttributeAsync("aria-expanded") == "false") await button.ClickAsync();
@@ -164,7 +164,7 @@ public sealed class LayoutTests(Browser browser)
             $$"""
             (() => {
               const body = document.getElementById("{{body}}");
-              const all = [...body.querySelectorAll("dd, output, p, td")].filter((one) => one.checkVisibility());
+              const all = [...body.querySelectorAll("dd, output, p, td, button")].filter((one) => one.checkVisibility());
               const last = all.at(-1);
               last.scrollIntoView({ block: "nearest" });
               const box = last.getBoundingClientRect();

@@ -9,6 +9,9 @@ internal interface IWorkbenchWorld : IDisposable
     /// <summary>Name shown on the page.</summary>
     string Name { get; }
 
+    /// <summary>Folder of the dat files, for a command that is to use the same; null for the demo world.</summary>
+    string? DatFolder { get; }
+
     /// <summary>Places to go to; the first is where a player enters. Never empty.</summary>
     IReadOnlyList<WorkbenchPlace> Places { get; }
 

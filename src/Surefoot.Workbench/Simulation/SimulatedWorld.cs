@@ -77,6 +77,9 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     /// <inheritdoc/>
     public LeftOutNotice LeftOut => leftOut;
 
+    /// <inheritdoc/>
+    public string? DatFolder { get; init; }
+
     /// <summary>Is told once, in words, when something is left out.</summary>
     public Action<string>? Notice { get; init; }
 

@@ -23,6 +23,8 @@ internal sealed class StandInWorld : IWorkbenchWorld
 
     public string Name => "Stand-in";
 
+    public string? DatFolder => null;
+
     public IReadOnlyList<WorkbenchPlace> Places { get; } =
     [
         new("Middle", 0xA9B40025, new Vector3(100, 100, Ground), 0),

@@ -2,6 +2,7 @@
 
 import { Address } from "./hud/address";
 import { commands } from "./hud/commands";
+import { copyWalk } from "./hud/copyWalk";
 import { element } from "./hud/elements";
 import { Held } from "./hud/held";
 import { Hud } from "./hud/hud";
@@ -17,9 +18,13 @@ import { fetchPlaces } from "./net/places";
 import { Requests } from "./net/requests";
 import { Session } from "./net/session";
 import { formatSpot } from "./net/spot";
-import { PoseFlag, type ServerFrame } from "./net/wire";
+import { WalkRecord } from "./net/walk";
+import { EventKind, PoseFlag, type ServerFrame } from "./net/wire";
 import type { Drawing } from "./scene/webgl";
 import { WorldView } from "./things/worldView";
+
+/** Seconds between two pictures of the map. */
+const mapEvery = 0.1;
 
 export function play(by: Drawing): void {
   const session = new Session();
@@ -27,19 +32,25 @@ export function play(by: Drawing): void {
   const world = new WorldView(surface, by);
   const drawing: Frames = { count: 0, drawnAt: 0 };
   const listing = fetchPlaces();
+  let dats: string | null = null;
 
   const connection = new Connection(receive, (state) => {
     if (state !== "open") return hud.cover.show(state);
     keyboard.releaseAll();
     requests.mouseTurning(pointer.turnsPlayer);
   });
-  const requests = new Requests(connection);
+  const walk = new WalkRecord(
+    () => hud.skills.settings,
+    () => dats,
+  );
+  const requests = new Requests(connection, walk);
   const hud = new Hud({
     settings: (settings) => {
       entrance.chose(settings);
       showAddress();
     },
     toggle,
+    copyWalk: () => void copyWalk(walk, hud.toasts, hud.notice),
     go: (destination) => {
       if ("spot" in destination) return requests.placeAt(destination.spot);
       requests.goto(destination.place);
@@ -65,6 +76,7 @@ export function play(by: Drawing): void {
     autoRun: () => requests.autoRun(),
     recenter: () => world.stage.view.recenter(),
     goTo: () => hud.goTo.focus(),
+    copyWalk: () => void copyWalk(walk, hud.toasts, hud.notice),
     help: () => hud.help.toggle(),
     closeHelp: () => hud.help.shown && hud.help.toggle(),
   });
@@ -79,8 +91,11 @@ export function play(by: Drawing): void {
   const pointer = new Pointer(surface, (buttons, right) => requests.pointer(buttons, right));
   new TouchPad(held);
 
-  window.surefoot = new Inspection(world, session, hud, connection, requests, drawing);
-  void listing.then((places) => hud.listPlaces(places));
+  window.surefoot = new Inspection(world, session, hud, connection, requests, walk, drawing);
+  void listing.then((places) => {
+    hud.listPlaces(places);
+    dats = places.dats;
+  });
   connection.open();
   requestAnimationFrame(draw);
 
@@ -96,9 +111,15 @@ export function play(by: Drawing): void {
     world.receive(frame);
     if (frame.kind === "event" && entrance.event(frame)) return;
     hud.receive(frame);
-    if (frame.kind === "welcome") entrance.welcome(frame);
+    if (frame.kind === "welcome") {
+      walk.clear();
+      entrance.welcome(frame);
+    }
+    if (frame.kind === "event" && frame.event === EventKind.Jumped) walk.jumped(frame.value);
+    if (frame.kind === "touches") walk.touch(frame.touches);
     if (frame.kind !== "pose") return;
     entrance.pose(frame);
+    walk.receive(frame);
     leftOut.enter(frame.cell);
     showAddress();
   }
@@ -108,6 +129,7 @@ export function play(by: Drawing): void {
     if (!entrance.entering) address.touch();
   }
 
+  let mapDue = 0;
   let lastFrame = performance.now() / 1000;
 
   function draw(): void {
@@ -127,6 +149,12 @@ export function play(by: Drawing): void {
   function showNear(): void {
     const { drawn } = world;
     if (!drawn || !session.pose) return;
+    if (lastFrame >= mapDue && hud.map.shown) {
+      mapDue = lastFrame + mapEvery;
+      const others = [...world.players.others.values()].flatMap((other) => other.drawn?.position ?? []);
+      const { path, metres, seconds } = walk;
+      hud.map.draw({ surroundings: world.surroundings, player: drawn.position, yaw: drawn.yaw, others, path, metres, seconds }, lastFrame);
+    }
     hud.showDoor(world.bodies.doorAt(drawn.position));
     hud.showCharge((session.pose.flags & PoseFlag.Charging) !== 0, drawn.charge);
     if (connection.state !== "open") return;

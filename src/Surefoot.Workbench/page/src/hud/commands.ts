@@ -8,6 +8,7 @@ interface Acts {
   autoRun(): void;
   recenter(): void;
   goTo(): void;
+  copyWalk(): void;
   help(): void;
   closeHelp(): void;
 }
@@ -23,6 +24,7 @@ export function commands(acts: Acts): ReadonlyMap<string, () => void> {
     ["KeyC", acts.recenter],
     ["KeyP", () => acts.toggle("panels")],
     ["KeyG", acts.goTo],
+    ["KeyK", acts.copyWalk],
     ["KeyH", acts.help],
     ["Slash", acts.help],
     ["Escape", acts.closeHelp],

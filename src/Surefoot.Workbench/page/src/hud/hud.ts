@@ -9,6 +9,7 @@ import { Focus } from "./focus";
 import { Folds } from "./folds";
 import { GoTo } from "./goTo";
 import { Help } from "./help";
+import { WalkMap } from "./map";
 import { Notice } from "./notice";
 import { Panel } from "./panel";
 import { Skills } from "./skills";
@@ -20,6 +21,7 @@ interface Asks {
   toggle(name: Toggle, on: boolean): void;
   go: ConstructorParameters<typeof GoTo>[0];
   use(): void;
+  copyWalk(): void;
 }
 
 export class Hud {
@@ -27,6 +29,7 @@ export class Hud {
   readonly cover = new Cover();
   readonly toasts = new Toasts();
   readonly folds = new Folds();
+  readonly map = new WalkMap();
   readonly focus: Focus;
   readonly notice: Notice;
   readonly help: Help;
@@ -47,6 +50,7 @@ export class Hud {
       asks.go(destination);
       toGame();
     });
+    element("copy-walk").addEventListener("click", () => asks.copyWalk());
     this.prompt.addEventListener("mousedown", (event) => event.preventDefault());
     this.prompt.addEventListener("click", () => asks.use());
   }

@@ -5,6 +5,7 @@ import type { Place } from "../net/places";
 import type { Requests } from "../net/requests";
 import type { Session } from "../net/session";
 import type { Drawn } from "../net/timeline";
+import type { WalkRecord } from "../net/walk";
 import type { BodyPose, OwnPose, PlayerEvent, Touch, Vec3 } from "../net/wire";
 import type { MovingDrawn } from "../things/objects";
 import type { WorldView } from "../things/worldView";
@@ -26,6 +27,7 @@ export class Inspection {
     private readonly hud: Hud,
     private readonly connection: Connection,
     private readonly requests: Requests,
+    private readonly record: WalkRecord,
     private readonly drawing: Readonly<Frames>,
   ) {}
 
@@ -103,6 +105,12 @@ export class Inspection {
   /** 1 where no land is seen and a lantern lights the way, 0 outdoors. */
   get dark(): number {
     return this.world.stage.darkness;
+  }
+
+  /** The last walk: its command, its way from above, how wide the map is, metres. */
+  get walk(): { command: string | null; path: readonly Vec3[]; metres: number; across: number } {
+    const { command, path, metres } = this.record;
+    return { command, path, metres, across: this.hud.map.metresAcross };
   }
 
   get fps(): number {

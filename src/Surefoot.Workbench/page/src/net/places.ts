@@ -17,6 +17,8 @@ export interface Place {
 
 export interface Listing {
   world: string;
+  /** Folder of the files; null for the demo world. */
+  dats: string | null;
   places: Place[];
 }
 

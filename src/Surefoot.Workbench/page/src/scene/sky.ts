@@ -93,7 +93,7 @@ export class Sky {
 }
 
 const day = { sky: new THREE.Color(0xbdd8f2), ground: new THREE.Color(0x6d6a4c), strength: 1.25, sun: 2.6, lantern: 0 };
-const cave = { sky: new THREE.Color(0x8a93a6), ground: new THREE.Color(0x6b5f4f), strength: 0.5, sun: 0, lantern: 9 };
+const cave = { sky: new THREE.Color(0x8a93a6), ground: new THREE.Color(0x6b5f4f), strength: 0.65, sun: 0, lantern: 6.5 };
 
 /** Sun and sky light; the sun's shadow follows a point. Where neither reaches, a lantern does. */
 export class Lights {

@@ -9,6 +9,7 @@ import { isGrassy, isRoad, isWater, terrainColors, terrainType } from "./terrain
 const drawRadius = 5;
 const keepRadius = 8;
 const buildMilliseconds = 4;
+const roadColor = 0x8f7350;
 
 type Loaded = TerrainBlock | "none";
 
@@ -73,6 +74,20 @@ export class Terrain {
     const by = Math.floor(y / blockSide);
     const terrain = this.blocks.get((bx << 8) | by);
     return terrain && terrain !== "none" ? heightInBlock(terrain, x - bx * blockSide, y - by * blockSide) : null;
+  }
+
+  /** Colour of the ground at global metres, lit from the north-west: red, green, blue, 0 to 255; null where no terrain has come. */
+  colorAt(x: number, y: number): [number, number, number] | null {
+    const height = this.heightAt(x, y);
+    const terrain = this.blocks.get((Math.floor(x / blockSide) << 8) | Math.floor(y / blockSide));
+    if (height === null || !terrain || terrain === "none") return null;
+    const corner = (at: number): number => Math.round((at % blockSide) / cellSide);
+    const word = terrain.words[9 * corner(x) + corner(y)];
+    const color = isRoad(word) ? roadColor : terrainColors[terrainType(word)];
+    const step = 3;
+    const rise = (this.heightAt(x + step, y - step) ?? height) - height;
+    const light = Math.min(1.35, Math.max(0.45, 1 - rise / (step * 1.6)));
+    return [(color >> 16) * light, ((color >> 8) & 0xff) * light, (color & 0xff) * light];
   }
 
   /** Where grass grows: on grassy ground that is no road and not steep. */

@@ -164,6 +164,11 @@ export class Objects {
     return typeof block === "object" ? (block.rooms.get(cell)?.low.max.z ?? null) : null;
   }
 
+  /** Boxes from above around the buildings near a landblock, or around its rooms when only they are seen; relative to the origin. */
+  *plan(block: number, enclosed: boolean): Iterable<Box> {
+    yield* enclosed ? this.roomsOf(block) : this.shellsAround(block);
+  }
+
   /** Boxes around the rooms of a landblock, relative to the origin. */
   *roomsOf(block: number): Iterable<Box> {
     const here = this.blocks.get(block);

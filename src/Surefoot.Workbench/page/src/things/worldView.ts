@@ -14,6 +14,12 @@ import { Bodies } from "./bodies";
 import { Objects } from "./objects";
 import { Players } from "./players";
 
+/** What is seen from above: colours of the ground at global metres, and boxes around buildings or rooms. */
+export interface Surroundings {
+  colorAt: (x: number, y: number) => [number, number, number] | null;
+  walls: { west: number; south: number; east: number; north: number; low: number; high: number }[];
+}
+
 const rebaseDistance = 4000;
 
 /** Metres. */
@@ -58,6 +64,23 @@ export class WorldView {
 
   set showsShapes(shown: boolean) {
     this.objects.showsPlain = this.bodies.showsPlain = shown;
+  }
+
+  /** What a map shows of the world around the player. */
+  get surroundings(): Surroundings {
+    const { x, y } = this.origin;
+    const enclosed = this.enclosed;
+    const here = this.drawn?.position;
+    const block = here ? (Math.floor(here.x / blockSide) << 8) | Math.floor(here.y / blockSide) : 0;
+    const walls = [...this.objects.plan(block, enclosed)].map(({ min, max }) => ({
+      west: min.x + x,
+      south: min.y + y,
+      east: max.x + x,
+      north: max.y + y,
+      low: min.z,
+      high: max.z,
+    }));
+    return { colorAt: enclosed ? () => null : (east, north) => this.terrain.colorAt(east, north), walls };
   }
 
   /** The player goes to a place that is looked at from there; see `FollowCamera.begin`. */
