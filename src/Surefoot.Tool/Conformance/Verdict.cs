@@ -24,7 +24,7 @@ internal sealed record Verdict(string Family, string Measure, int Compared, int 
 
     /// <summary>What is required, in words.</summary>
     internal static string Defaults => FormattableString.Invariant(
-        $"{Walks} of re-seated steps and of free-running walks, {Oracle} of a peer's sweeps, placements and steps, {Exact} of the rest");
+        $"{Walks} of re-seated quanta and of free-running walks, {Oracle} of a peer's sweeps, placements and quanta, {Exact} of the rest");
 
     /// <summary>Percent equal.</summary>
     public double Percent => Compared == 0 ? 100 : 100.0 * Equal / Compared;
