@@ -94,18 +94,35 @@ public sealed class PhysicsEngine : ILoadListener
     /// <param name="weenie">What the server says of it.</param>
     /// <param name="scale">Uniform scale, more than 0.</param>
     /// <param name="motions">What moves it by itself; null for one that nothing but forces and orders move.</param>
+    /// <param name="listed">
+    /// False for one that is still being described: nobody finds it and no tick moves it until <see cref="Enlist"/>.
+    /// </param>
     /// <exception cref="ArgumentException">The id is 0 or taken, or the scale is not a positive number.</exception>
     public PhysicsBody CreateBody(
         uint id, SetupAsset? setup, PhysicsState state = PhysicsState.Default, WeenieTraits weenie = WeenieTraits.None, float scale = 1f,
-        BodyMotions? motions = null)
+        BodyMotions? motions = null, bool listed = true)
     {
         if (id == 0 || population.Find(id) is not null) throw new ArgumentException($"The body id 0x{id:X8} is 0 or taken.", nameof(id));
         if (!(scale > 0) || !float.IsFinite(scale)) throw new ArgumentException("The scale is not a positive number.", nameof(scale));
         PhysicsBody body = new(population, id, setup, state & ~PhysicsState.Static, weenie, scale);
         body.ListContradictions();
-        population.Bodies.Add(body);
+        if (listed) population.Bodies.Add(body);
         if (motions is not null) SteeredPhysicsBody.Of(body).Attach(new MovementManager(body, motions.Table, motions.Weenie));
         return body;
+    }
+
+    /// <summary>From now on the body is found by its id, and ticks move it.</summary>
+    /// <exception cref="ArgumentException">
+    /// It belongs to another engine, is listed already, or its id has been taken since it was made.
+    /// </exception>
+    /// <exception cref="InvalidOperationException">It was removed.</exception>
+    /// <remarks>Retail: the end of ACCObjectMaint::CreateObject @0x00558870.</remarks>
+    public void Enlist(PhysicsBody body)
+    {
+        population.ThrowIfForeign(body);
+        body.ThrowIfRemoved();
+        if (population.Find(body.Id) is not null) throw new ArgumentException($"The body id 0x{body.Id:X8} is taken.", nameof(body));
+        population.Bodies.Add(body);
     }
 
     /// <summary>
@@ -119,6 +136,7 @@ public sealed class PhysicsEngine : ILoadListener
         body.ExitWorld();
         body.LeaveWorld();
         population.Bodies.Remove(body);
+        body.IsRemoved = true;
         body.UnsetParent();
         body.UnparentChildren();
         if (ReferenceEquals(Player, body)) Player = null;
@@ -133,6 +151,22 @@ public sealed class PhysicsEngine : ILoadListener
     {
         population.ThrowIfForeign(body);
         return SteeredPhysicsBody.Of(body).Movement as MovementManager;
+    }
+
+    /// <summary>
+    /// The movement side of a body. One that has none gets an empty one, without an interpreter, and wakes: messages about its motions do
+    /// nothing.
+    /// </summary>
+    /// <param name="body">The body.</param>
+    /// <param name="weenie">What the game knows of it.</param>
+    /// <exception cref="ArgumentException">The body belongs to another engine.</exception>
+    /// <remarks>Retail: CPhysicsObj::MakeMovementManager @0x00510270, as CPhysicsObj::unpack_movement @0x00512040 calls it.</remarks>
+    public MovementManager MakeMovement(PhysicsBody body, IWeenieObj? weenie = null)
+    {
+        population.ThrowIfForeign(body);
+        SteeredPhysicsBody steered = SteeredPhysicsBody.Of(body);
+        if (steered.Movement is not MovementManager manager) steered.Attach(manager = new MovementManager(body, table: null, weenie));
+        return manager;
     }
 
     /// <summary>The body with this id, or null.</summary>

@@ -1,4 +1,6 @@
+using System.Numerics;
 using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.World;
 using Surefoot.Protocol.Messages;
@@ -17,6 +19,25 @@ internal static class WireForms
 
     /// <summary>A factor on a speed that can be meant.</summary>
     public static bool IsSpeed(float speed) => Math.Abs(speed) <= MaxSpeed;
+
+    /// <summary>
+    /// The factor on a body's size that is believed: a sweep goes in steps of its radius, and a body is listed where it reaches.
+    /// </summary>
+    private const float MinScale = 0.01f, MaxScale = 100;
+
+    /// <summary>A factor on a body's size that can be meant.</summary>
+    public static bool IsScale(float scale) => scale is >= MinScale and <= MaxScale;
+
+    /// <summary>A vector that can be meant: its length is a number.</summary>
+    public static bool IsVector(Vector3 vector) => float.IsFinite(vector.LengthSquared());
+
+    /// <summary>Reads a place.</summary>
+    /// <returns>False when a number is not finite, the rotation is none, or the cell is on no map.</returns>
+    public static bool TryRead(in WirePosition wire, out Position position)
+    {
+        position = new Position(wire.Cell, new Frame(wire.Origin, wire.Orientation));
+        return position.IsValid && IsVector(wire.Origin);
+    }
 
     /// <summary>A place.</summary>
     public static WirePosition Of(in Position position) => new(position.CellId, position.Frame.Origin, position.Frame.Rotation);

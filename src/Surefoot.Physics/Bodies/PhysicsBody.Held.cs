@@ -11,6 +11,9 @@ namespace Surefoot.Physics.Bodies;
 /// <remarks>Specification 09, 5.11.</remarks>
 public sealed partial class PhysicsBody
 {
+    /// <summary>How many bodies may hold each other in a row, the first and the last included.</summary>
+    public const int MostHoldersInARow = 16;
+
     private PhysicsBody? Holder => (PhysicsBody?)Parent;
 
     /// <summary>
@@ -19,19 +22,21 @@ public sealed partial class PhysicsBody
     /// <param name="holder">Who holds it.</param>
     /// <param name="location">Number of a holding location of the holder's setup.</param>
     /// <returns>
-    /// False when the holder has no such location, is this body, or is held by it at any remove; nothing has changed then.
+    /// False when the holder has no such location, is this body, or is held by it at any remove, and when more than
+    /// <see cref="MostHoldersInARow"/> would hold each other; nothing has changed then.
     /// </returns>
-    /// <exception cref="ArgumentException">The holder belongs to another population.</exception>
-    /// <exception cref="InvalidOperationException">One of them was removed from the population.</exception>
-    /// <remarks>Retail: CPhysicsObj::set_parent @0x00515A90. Of rings it refuses only the smallest.</remarks>
+    /// <exception cref="ArgumentException">The holder belongs to another engine.</exception>
+    /// <exception cref="InvalidOperationException">One of them was removed from the engine.</exception>
+    /// <remarks>Retail: CPhysicsObj::set_parent @0x00515A90. Of rings it refuses only the smallest, and rows end with its stack.</remarks>
     public bool SetParent(PhysicsBody holder, uint location)
     {
         ArgumentNullException.ThrowIfNull(holder);
         if (!ReferenceEquals(holder.population, population))
-            throw new ArgumentException("The holder belongs to another population.", nameof(holder));
+            throw new ArgumentException("The holder belongs to another engine.", nameof(holder));
         ThrowIfRemoved();
         holder.ThrowIfRemoved();
         if (holder.IsHeldBy(this) || holder.Setup is not { } shape) return false;
+        if (holder.HoldersInARow + LongestRow > MostHoldersInARow) return false;
         if (!shape.TryGetHoldingLocation(location, out HoldingLocation place)) return false;
 
         // It is in the new list before it leaves the old one: with the same holder the first of its two entries goes.
@@ -76,6 +81,20 @@ public sealed partial class PhysicsBody
     }
 
     private PhysicsBody HeldBody(int index) => (PhysicsBody)HeldAt(index);
+
+    /// <summary>This body and those that hold it.</summary>
+    private int HoldersInARow => 1 + (Holder?.HoldersInARow ?? 0);
+
+    /// <summary>This body and the longest row of those that it holds.</summary>
+    private int LongestRow
+    {
+        get
+        {
+            int longest = 0;
+            for (int i = 0; i < HeldCount; i++) longest = Math.Max(longest, HeldBody(i).LongestRow);
+            return longest + 1;
+        }
+    }
 
     private bool IsHeldBy(PhysicsBody other)
     {

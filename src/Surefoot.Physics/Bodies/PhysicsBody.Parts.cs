@@ -26,7 +26,8 @@ public sealed partial class PhysicsBody
     /// <remarks>Retail: CPhysicsObj::SetPlacementFrame, CPartArray::SetPlacementFrame; specification 06, 3.</remarks>
     public void SetPlacement(uint value)
     {
-        if (Setup is not null && !Setup.HasPlacement(value))
+        // Told once: a server says the same way with each of its positions.
+        if (value != placement && Setup is not null && !Setup.HasPlacement(value))
             population.Cells.LeftOut.Add(
                 new LeftOutItem(LeftOutKind.Placement, Setup.Id, $"the setup has no placement 0x{value:X}") { FirstIn = Id });
         placement = value;

@@ -9,6 +9,9 @@ public sealed partial class PhysicsBody
     /// <summary>The body waits for its cell to be loaded.</summary>
     public bool IsLost { get; private set; }
 
+    /// <summary>The engine has forgotten it for good.</summary>
+    internal bool IsRemoved { get; set; }
+
     /// <summary>Comes into the world at a position, moved to a free place near by when it is taken.</summary>
     /// <returns>True when it is in the world, or waits for its cell to be loaded.</returns>
     /// <remarks>Retail: CPhysicsObj::enter_world(pos) @0x00516310.</remarks>
@@ -22,7 +25,8 @@ public sealed partial class PhysicsBody
         StorePosition(position);
         updateTime = population.Now;
         PlacementFlags flags = PlacementFlags.Placement | (slide ? PlacementFlags.Slide : PlacementFlags.None);
-        if (SetPosition(new PlacementRequest(PositionField, flags)) != PlacementResult.OK) return false;
+        // Not asked again whether the id names a cell: off the map it is none now, and the body is lost there.
+        if (Place(new PlacementRequest(PositionField, flags)) != PlacementResult.OK) return false;
         // Also when it waits for its cell: the next tick puts such a body to sleep again.
         SetActive(true);
         driver.HandleEnterWorld();
@@ -68,9 +72,9 @@ public sealed partial class PhysicsBody
     internal bool ReenterVisibility() =>
         Place(new PlacementRequest(PositionField, PlacementFlags.Placement | PlacementFlags.Slide)) == PlacementResult.OK;
 
-    private void ThrowIfRemoved()
+    internal void ThrowIfRemoved()
     {
-        if (!ReferenceEquals(population.Find(Id), this))
+        if (IsRemoved)
             throw new InvalidOperationException($"The body 0x{Id:X8} was removed from its engine; make a new one.");
     }
 

@@ -74,6 +74,9 @@ public class ObjectPoseTests
         body.SetPlacement(0);
         Assert.Empty(body.Population.Cells.LeftOut);
         body.SetPlacement(0x33);
+        // Said again with each position of a server: the same thing still.
+        body.SetPlacement(0x33);
+        body.SetPlacement(0);
         body.SetPlacement(0x33);
         LeftOutItem item = Assert.Single(body.Population.Cells.LeftOut);
         Assert.Equal((LeftOutKind.Placement, 0x02000001u, 2L, 1u), (item.Kind, item.Id, item.Count, item.FirstIn));

@@ -80,7 +80,8 @@ internal sealed partial class MotionInterpreter
         else if (Interpreted.ForwardCommand == MotionCommand.RunForward)
             v.Y = (float)((double)MovementFormulas.RunSpeed * Interpreted.ForwardSpeed);
         double limit = (double)MovementFormulas.RunSpeed * RunRate, length = RetailMath.Length(v);
-        return length > limit ? RetailMath.Scale(v, limit / length) : v;
+        // A standing body with a run rate below 0, which only a server can tell, has no length to divide by.
+        return length > limit && length > 0 ? RetailMath.Scale(v, limit / length) : v;
     }
 
     /// <summary>Running speed, m/s.</summary>
