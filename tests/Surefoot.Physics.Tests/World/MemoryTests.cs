@@ -15,9 +15,16 @@ public sealed class MemoryTests(FirstWorld files) : IClassFixture<FirstWorld>
         PhysicsWorld world = files.Empty();
         foreach (uint id in FirstWorld.Blocks)
         {
-            long before = GC.GetTotalMemory(true);
-            world.LoadLandblock(id);
-            long retained = GC.GetTotalMemory(true) - before;
+            // Other tests allocate meanwhile: the least of some tries is the block's own.
+            long retained = long.MaxValue;
+            for (int attempt = 0; attempt < 5 && retained >= 64 * 1024; attempt++)
+            {
+                world.UnloadLandblock(id);
+                long before = GC.GetTotalMemory(true);
+                world.LoadLandblock(id);
+                retained = GC.GetTotalMemory(true) - before;
+            }
+
             Assert.True(retained < 64 * 1024,
                 $"block {id:X8} with {world.FindLandblock(id)!.StaticObjects.Count} objects retains {retained} bytes");
         }
