@@ -68,6 +68,24 @@ public sealed class KeyboardAloneTests(Browser browser)
     }
 
     [Fact]
+    [Behaviour("workbench.page.tab-comes-to-the-way-back", "WCAG 2.2, 2.1.1 and 2.4.3")]
+    public async Task Tab_comes_from_the_last_control_to_the_way_back_to_the_game_which_Enter_takes()
+    {
+        await using Tab tab = await browser.OpenAsync();
+        IPage page = tab.Page;
+        await page.Locator("#burden").FocusAsync();
+        await page.Keyboard.PressAsync("Tab");
+        Assert.Equal("back", await Focused(page));
+        Assert.True(await page.Locator("#back").IsVisibleAsync());
+        await page.Keyboard.PressAsync("Shift+Tab");
+        Assert.Equal("burden", await Focused(page));
+        await page.Keyboard.PressAsync("Tab");
+        await page.Keyboard.PressAsync("Enter");
+        Assert.True((await tab.Read("window.surefoot.playing")).GetBoolean());
+        Assert.True(await page.Locator("#back").IsHiddenAsync());
+    }
+
+    [Fact]
     [Behaviour("workbench.page.keys-are-let-go-when-a-control-takes-the-keyboard", "design.md, Who uses it")]
     public async Task A_key_that_is_down_when_a_control_takes_the_keyboard_counts_as_let_go()
     {

@@ -14,7 +14,8 @@ export class Focus {
     surface.tabIndex = 0;
     this.back.addEventListener("click", () => this.toGame());
     addEventListener("focusin", () => this.look());
-    addEventListener("focusout", () => queueMicrotask(() => this.look()));
+    // From one control to another nothing changes: the way back, which may be the other, stays.
+    addEventListener("focusout", ({ relatedTarget }) => relatedTarget ?? queueMicrotask(() => this.look()));
     addEventListener("keydown", (event) => {
       if (event.key === "Escape" && !event.defaultPrevented && !this.playing) this.toGame();
     });

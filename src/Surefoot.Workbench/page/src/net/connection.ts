@@ -6,7 +6,7 @@ import { decode, type ServerFrame, wireVersion } from "./wire";
 /** Lost: the server was there and has said nothing for a while, or the socket has broken. */
 export type ConnectionState = "connecting" | "open" | "lost" | "full";
 
-const lookEvery = 250;
+const lookEvery = 100;
 const retryAfter = 1000;
 
 export class Connection {

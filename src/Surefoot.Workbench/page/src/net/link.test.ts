@@ -33,6 +33,12 @@ describe("a link", () => {
     ]);
   });
 
+  it("that says a thing twice holds to the last of it, and says what it leaves out", () => {
+    const { link, ignored } = readLink("?run=300&at=Here&run=400&at=There&on=shapes,triangles&off=triangles&jump=5&jump=5", limits);
+    expect(link).toEqual({ run: 400, jump: 5, at: "There", toggles: { ...toggleDefaults, shapes: true } });
+    expect(ignored).toEqual(["run=300 (said otherwise later)", "at=Here (said otherwise later)", "on=triangles (said otherwise later)"]);
+  });
+
   it("however long or odd is cut to what a line holds", () => {
     for (const query of [`?run=${"9".repeat(5000)}`, "?on=__proto__", "?on=constructor", "?%ff=%00", `?${"x".repeat(9000)}`]) {
       const { link, ignored } = readLink(query, limits);

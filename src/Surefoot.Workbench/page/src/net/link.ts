@@ -30,14 +30,24 @@ const longestShown = 60;
 export function readLink(query: string, limits: Limits): { link: Link; ignored: string[] } {
   const link: Link = { toggles: { ...toggleDefaults } };
   const ignored: string[] = [];
+  const said = new Map<string, string>();
+  const again = (key: string, part: string): void => {
+    const before = said.get(key);
+    if (before !== undefined && before !== part) ignored.push(`${before} (said otherwise later)`);
+    said.set(key, part);
+  };
   const number = (name: "run" | "jump" | "burden", text: string, most: number): void => {
-    if (/^\d{1,9}$/.test(text) && Number(text) <= most) link[name] = Number(text);
-    else ignored.push(`${shown(name, text)} (a whole number from 0 to ${most})`);
+    if (/^\d{1,9}$/.test(text) && Number(text) <= most) {
+      link[name] = Number(text);
+      again(name, shown(name, text));
+    } else ignored.push(`${shown(name, text)} (a whole number from 0 to ${most})`);
   };
   const toggle = (text: string, on: boolean): void => {
     for (const name of text.split(",")) {
-      if (Object.hasOwn(toggleDefaults, name)) link.toggles[name as Toggle] = on;
-      else ignored.push(`${shown(on ? "on" : "off", name)} (${Object.keys(toggleDefaults).join(", ")})`);
+      if (Object.hasOwn(toggleDefaults, name)) {
+        link.toggles[name as Toggle] = on;
+        again(`toggle ${name}`, shown(on ? "on" : "off", name));
+      } else ignored.push(`${shown(on ? "on" : "off", name)} (${Object.keys(toggleDefaults).join(", ")})`);
     }
   };
   for (const [name, text] of new URLSearchParams(query)) {
@@ -45,8 +55,10 @@ export function readLink(query: string, limits: Limits): { link: Link; ignored: 
     else if (name === "burden") number(name, text, limits.maxBurden);
     else if (name === "on") toggle(text, true);
     else if (name === "off") toggle(text, false);
-    else if (name === "at") link.at = text;
-    else ignored.push(`${shown(name, text)} (run, jump, burden, at, on, off)`);
+    else if (name === "at") {
+      link.at = text;
+      again(name, shown(name, text));
+    } else ignored.push(`${shown(name, text)} (run, jump, burden, at, on, off)`);
   }
   return { link, ignored };
 }
