@@ -140,7 +140,8 @@ public sealed class WalkTests(Browser browser)
     /// <summary>
     /// How far the command may end from the page, metres. Keys are held for the same times, to a millisecond, in as many quanta; but those
     /// of the page were as long as its server came to make them, and the command's are all alike. A body that turns while it runs goes
-    /// straight within a quantum: each radian shifts it sideways by its speed times half the difference.
+    /// straight within a quantum: each radian shifts it sideways by its speed times half the difference. And ground is covered in whole
+    /// frames of the run's animation, 30 a second: each of the two stretches, before the jump and after it, may have one more or less.
     /// </summary>
     private async Task<double> ShiftByQuanta(Tab tab)
     {
@@ -150,7 +151,8 @@ public sealed class WalkTests(Browser browser)
         double angle = poses.Zip(poses.Skip(1), (one, next) => Math.Abs(Math.IEEERemainder(next.Yaw - one.Yaw, 2 * Math.PI))).Sum();
         PlayerPose[] turning = [.. poses.Where(pose => pose.TurnSpeed != 0)];
         double apart = turning.Max(pose => pose.Quantum) - turning.Min(pose => pose.Quantum);
-        return 0.2 + (poses.Max(pose => pose.Speed) * angle * apart / 2);
+        double speed = poses.Max(pose => pose.Speed), frame = speed / 30;
+        return (2 * frame) + (speed * angle * apart / 2);
     }
 
     private static async Task Hold(IPage page, string key, int milliseconds)
