@@ -142,6 +142,7 @@ public sealed class WalkTests(Browser browser)
     /// of the page were as long as its server came to make them, and the command's are all alike. A body that turns while it runs goes
     /// straight within a quantum: each radian shifts it sideways by its speed times half the difference. And ground is covered in whole
     /// frames of the run's animation, 30 a second: each of the two stretches, before the jump and after it, may have one more or less.
+    /// A key acts from the next quantum on: either end of the turn may lie a quantum of the page sooner or later on the way.
     /// </summary>
     private async Task<double> ShiftByQuanta(Tab tab)
     {
@@ -152,7 +153,8 @@ public sealed class WalkTests(Browser browser)
         PlayerPose[] turning = [.. poses.Where(pose => pose.TurnSpeed != 0)];
         double apart = turning.Max(pose => pose.Quantum) - turning.Min(pose => pose.Quantum);
         double speed = poses.Max(pose => pose.Speed), frame = speed / 30;
-        return (2 * frame) + (speed * angle * apart / 2);
+        double edges = 2 * speed * poses.Where(pose => pose.Speed > 0).Max(pose => pose.Quantum);
+        return (2 * frame) + edges + (speed * angle * apart / 2);
     }
 
     private static async Task Hold(IPage page, string key, int milliseconds)
