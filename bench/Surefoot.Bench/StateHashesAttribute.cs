@@ -1,6 +1,4 @@
-using BenchmarkDotNet.Columns;
 using BenchmarkDotNet.Configs;
-using BenchmarkDotNet.Reports;
 using BenchmarkDotNet.Running;
 using Surefoot.Dats;
 using Surefoot.DemoWorld;
@@ -13,36 +11,15 @@ namespace Surefoot.Bench;
 internal sealed class StateHashesAttribute : Attribute, IConfigSource
 {
     /// <inheritdoc/>
-    public IConfig Config { get; } = ManualConfig.CreateEmpty().AddColumn(new Column());
+    public IConfig Config { get; } = ManualConfig.CreateEmpty().AddColumn(new CaseColumn(
+        "State hash",
+        "Hash of the states after every quantum of the scene; tests/data/state-hashes.txt has those on record",
+        isNumeric: false,
+        HashOf));
 
-    private sealed class Column : IColumn
+    private static string HashOf(BenchmarkCase one)
     {
-        public string Id => nameof(StateHashesAttribute);
-
-        public string ColumnName => "State hash";
-
-        public string Legend => "Hash of the states after every quantum of the scene; tests/data/state-hashes.txt has those on record";
-
-        public bool AlwaysShow => true;
-
-        public ColumnCategory Category => ColumnCategory.Custom;
-
-        public int PriorityInCategory => 0;
-
-        public bool IsNumeric => false;
-
-        public UnitType UnitType => UnitType.Dimensionless;
-
-        public string GetValue(Summary summary, BenchmarkCase benchmarkCase)
-        {
-            using DatSet dats = DatSet.Open(DemoWorldCache.GetOrCreate());
-            return $"{Scene.Find((string)benchmarkCase.Parameters[nameof(QuantumBenchmarks.Scene)]).Hash(dats):x16}";
-        }
-
-        public string GetValue(Summary summary, BenchmarkCase benchmarkCase, SummaryStyle style) => GetValue(summary, benchmarkCase);
-
-        public bool IsAvailable(Summary summary) => true;
-
-        public bool IsDefault(Summary summary, BenchmarkCase benchmarkCase) => false;
+        using DatSet dats = DatSet.Open(DemoWorldCache.GetOrCreate());
+        return $"{Scene.Find((string)one.Parameters[nameof(QuantumBenchmarks.Scene)]).Hash(dats):x16}";
     }
 }

@@ -1,9 +1,6 @@
 using System.Globalization;
 using BenchmarkDotNet.Attributes;
-using BenchmarkDotNet.Columns;
 using BenchmarkDotNet.Configs;
-using BenchmarkDotNet.Reports;
-using BenchmarkDotNet.Running;
 using Surefoot.Dats;
 using Surefoot.DemoWorld;
 using Surefoot.Scenes;
@@ -11,7 +8,7 @@ using Surefoot.Scenes;
 namespace Surefoot.Bench;
 
 /// <summary>
-/// Two threads that sweep in the same block of one world, against each alone. A turn is three windows of two milliseconds: one thread
+/// Two threads that sweep in the same block of one world, against each alone. A turn is three windows of half a millisecond: one thread
 /// alone, the other alone, both at once. The columns have what counts, the rates: of each kind the best window of all turns, so that what
 /// else the machine does counts for little, and of the turns one by one the median ratio.
 /// </summary>
@@ -89,37 +86,15 @@ internal sealed class SweepRatesAttribute : Attribute, IConfigSource
 {
     /// <inheritdoc/>
     public IConfig Config { get; } = ManualConfig.CreateEmpty().AddColumn(
-        new Column("One alone /ms", rates => rates.One, "0"), new Column("Other alone /ms", rates => rates.Other, "0"),
-        new Column("Both /ms", rates => rates.Both, "0"), new Column("Both / sum", rates => rates.Both / (rates.One + rates.Other), "0.00"),
-        new Column("Median of turns", rates => rates.MedianRatio, "0.00"), new Column("Turns", rates => rates.Turns, "0"));
+        Rates("One alone /ms", rates => rates.One, "0"), Rates("Other alone /ms", rates => rates.Other, "0"),
+        Rates("Both /ms", rates => rates.Both, "0"), Rates("Both / sum", rates => rates.Both / (rates.One + rates.Other), "0.00"),
+        Rates("Median of turns", rates => rates.MedianRatio, "0.00"), Rates("Turns", rates => rates.Turns, "0"));
 
-    private sealed class Column(string name, Func<SweepRates, double> value, string format) : IColumn
-    {
-        public string Id => name;
-
-        public string ColumnName => name;
-
-        public string Legend => "Sweeps, best of all windows; ratios of rates";
-
-        public bool AlwaysShow => true;
-
-        public ColumnCategory Category => ColumnCategory.Custom;
-
-        public int PriorityInCategory => 0;
-
-        public bool IsNumeric => true;
-
-        public UnitType UnitType => UnitType.Dimensionless;
-
-        public string GetValue(Summary summary, BenchmarkCase benchmarkCase) =>
-            SweepRates.Of.TryGetValue((string)benchmarkCase.Parameters[nameof(TwoThreadBenchmarks.Place)], out SweepRates? rates)
-                ? value(rates).ToString(format, CultureInfo.InvariantCulture)
-                : "-";
-
-        public string GetValue(Summary summary, BenchmarkCase benchmarkCase, SummaryStyle style) => GetValue(summary, benchmarkCase);
-
-        public bool IsAvailable(Summary summary) => true;
-
-        public bool IsDefault(Summary summary, BenchmarkCase benchmarkCase) => false;
-    }
+    private static CaseColumn Rates(string name, Func<SweepRates, double> value, string format) => new(
+        name,
+        "Sweeps, best of all windows; ratios of rates",
+        isNumeric: true,
+        one => SweepRates.Of.TryGetValue((string)one.Parameters[nameof(TwoThreadBenchmarks.Place)], out SweepRates? rates)
+            ? value(rates).ToString(format, CultureInfo.InvariantCulture)
+            : "-");
 }

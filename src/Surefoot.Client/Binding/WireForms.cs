@@ -21,7 +21,7 @@ internal static class WireForms
     public static bool IsSpeed(float speed) => Math.Abs(speed) <= MaxSpeed;
 
     /// <summary>
-    /// The factor on a body's size that is believed: a sweep goes in steps of its radius, and a body is listed where it reaches.
+    /// The factor on a body's size that is believed: a sweep goes in sub-steps of its radius, and a body is listed where it reaches.
     /// </summary>
     private const float MinScale = 0.01f, MaxScale = 100;
 

@@ -17,9 +17,6 @@ internal sealed class DestructionTimers
     /// <summary>Number of timers that run.</summary>
     internal int Count => places.Count;
 
-    /// <summary>Does the timer of an object run?</summary>
-    internal bool IsRunning(uint id) => places.ContainsKey(id);
-
     /// <summary>Starts the timer of an object, or starts it again.</summary>
     internal void Start(uint id, double now)
     {

@@ -20,8 +20,7 @@ public readonly record struct BodySeat(
     {
         PhysicsBody.ThrowIfBad(Position, name);
         if (!RetailMath.IsFinite(Velocity)) throw new ArgumentException("The velocity is not finite.", name);
-        if (!RetailMath.IsFinite(ContactPlane.Normal) || !float.IsFinite(ContactPlane.D))
-            throw new ArgumentException("The contact plane is not finite.", name);
+        ThrowIfNotFinite(ContactPlane, name);
         if (!RetailMath.IsFinite(SlidingNormal)) throw new ArgumentException("The sliding normal is not finite.", name);
         // A missile that has hit a creature is in contact with no plane.
         if (ContactPlaneCellId != 0 && ContactPlane.Normal != Vector3.Zero) ThrowIfNoFooting(ContactPlane, ContactPlaneCellId, name);
@@ -32,10 +31,15 @@ public readonly record struct BodySeat(
     /// <summary>A plane that is touched is finite, has a normal of unit length, and is in the frame of a block.</summary>
     internal static void ThrowIfNoFooting(in Plane plane, uint cellId, string name)
     {
-        if (!RetailMath.IsFinite(plane.Normal) || !float.IsFinite(plane.D))
-            throw new ArgumentException("The contact plane is not finite.", name);
+        ThrowIfNotFinite(plane, name);
         if (Math.Abs(RetailMath.LengthSquared(plane.Normal) - 1.0) > 1e-3)
             throw new ArgumentException("The normal of the contact plane is not of unit length.", name);
         if (!CellIds.HasValidIndex(cellId)) throw new ArgumentException($"0x{cellId:X8}, the contact plane's, cannot name a cell.", name);
+    }
+
+    private static void ThrowIfNotFinite(in Plane plane, string name)
+    {
+        if (!RetailMath.IsFinite(plane.Normal) || !float.IsFinite(plane.D))
+            throw new ArgumentException("The contact plane is not finite.", name);
     }
 }

@@ -228,8 +228,8 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody, IHookTarget
     /// </summary>
     /// <param name="seat">The state. A velocity above the greatest is cut down to it by the next quantum, as any.</param>
     /// <exception cref="ArgumentException">
-    /// A number of the state is not finite, a normal not of unit length, an id cannot name a cell, or it stands on what it does not touch;
-    /// nothing has changed.
+    /// A number of the state is not finite, the normal of its contact plane not of unit length, an id cannot name a cell, or it stands on
+    /// what it does not touch; nothing has changed.
     /// </exception>
     public void Seat(in BodySeat seat)
     {

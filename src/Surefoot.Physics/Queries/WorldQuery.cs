@@ -79,8 +79,7 @@ public sealed partial class WorldQuery
     /// <param name="trace">Is told each decision; the body's own <see cref="PhysicsBody.Trace"/> is not.</param>
     /// <exception cref="ArgumentException">
     /// The body belongs to another engine, a position or a number of the state is not finite, an id cannot name a cell, or the way is
-    /// longer than
-    /// <see cref="MostSubSteps"/>.
+    /// longer than <see cref="MostSubSteps"/>.
     /// </exception>
     public SweepResult Sweep(PhysicsBody body, in BodySeat from, in Position to, TraceBuffer? trace = null)
     {

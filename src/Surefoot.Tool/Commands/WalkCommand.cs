@@ -62,11 +62,12 @@ internal static class WalkCommand
                 throw new UsageException("--json and --csv are two forms of the same: give one of them.");
             if (!(seconds is >= 0 and <= 60))
                 throw new UsageException("--latency is between 0 and 60000 milliseconds, for example --latency 120.");
-            double? step = parsed.GetValue(quantum) / 1000;
-            if (step is not (null or (>= 1.0 / 30 and <= 0.2)))
+            double? quantumSeconds = parsed.GetValue(quantum) / 1000;
+            if (quantumSeconds is not (null or (>= 1.0 / 30 and <= 0.2)))
                 throw new UsageException("--quantum is between 33.34 and 200 milliseconds, for example --quantum 40.");
             using WalkScene scene = WalkScene.Open(parsed.GetValue(dats));
-            WalkResult walk = WalkRunner.Run(scene, scene.FindPlace(parsed.GetRequiredValue(at)), stats, legs, text, seconds, step);
+            WalkResult walk = WalkRunner.Run(
+                scene, scene.FindPlace(parsed.GetRequiredValue(at)), stats, legs, text, seconds, quantumSeconds);
             CommonOptions.SayLeftOut(scene.Simulation.World.LeftOut);
             if (parsed.GetValue(html) is { } file)
             {
