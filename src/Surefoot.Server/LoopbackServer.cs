@@ -1,7 +1,6 @@
 using Surefoot.Physics.Motion;
 using Surefoot.Protocol.Messages;
 using Surefoot.Protocol.Session;
-using MotionAction = Surefoot.Protocol.Messages.MotionAction;
 
 namespace Surefoot.Server;
 
@@ -16,11 +15,11 @@ namespace Surefoot.Server;
 public sealed class LoopbackServer : IServerLink
 {
     private const ushort FirstLife = 1;
-    private const uint ChatEmote = 0x12000000;
     private const int LongestAction = 1024;
 
     private readonly MessageQueue queue = new();
     private readonly CharacterMessages character;
+    private readonly PassedActions actions = new();
     private readonly TopSpeedRule topSpeedRule;
     private readonly uint player;
     private readonly byte[] scratch = new byte[LongestAction];
@@ -30,7 +29,6 @@ public sealed class LoopbackServer : IServerLink
     private bool onGround;
     private uint sent;
     private ushort movementStamp, serverControlStamp;
-    private ushort actionStamp = 1;
 
     /// <summary>A server whose player has just logged in: the character's numbers are on their way.</summary>
     /// <param name="player">Id of the player's object, not 0.</param>
@@ -154,26 +152,9 @@ public sealed class LoopbackServer : IServerLink
         asked = move.Motion;
         chargesLongJump = move.StandingLongJump;
         onGround = move.Contact;
-        MotionActions passed = PassOn(asked.Actions);
-        if (asked.Actions.Count > 0 && passed.Count == 0) return;
+        if (!actions.TryPass(asked.Actions, out MotionActions passed)) return;
         Tell(MotionTranslation.Interpret(asked, RunRate, chargesLongJump, passed), autonomous: true, now);
     }
-
-    /// <summary>Emotes at the usual speed are passed on, each with a stamp of the server's own; other actions are not.</summary>
-    private MotionActions PassOn(in MotionActions actions)
-    {
-        Span<MotionAction> passed = stackalloc MotionAction[actions.Count];
-        int count = 0;
-        foreach (MotionAction action in actions.Span)
-        {
-            bool isEmote = CommandTable.Retail.TryGetCommand(action.Command, out uint command) && (command & ChatEmote) == ChatEmote;
-            if (isEmote && action.Speed == 1f) passed[count++] = action with { Stamp = NextActionStamp() };
-        }
-
-        return new MotionActions(passed[..count]);
-    }
-
-    private ushort NextActionStamp() => actionStamp = (ushort)((actionStamp + 1) & 0x7FFF);
 
     private void Order(in MovementData motion, double now)
     {

@@ -11,21 +11,21 @@ public class BadNetworkTests
     [Fact, Behaviour("protocol.session.bad-network", "08, 2.6")]
     public void Over_a_bad_network_every_message_arrives_once_in_both_directions()
         => Gen.Int.Sample(
-            seed => Exchange(new SimulatedNetwork(seed, new NetworkQuality(0.2, 0.1, Loss: 0.1, Duplication: 0.05)), seconds: 60),
+            seed => Exchange(new SimulatedNetwork(seed, new NetworkQuality(0.2, 0.1, loss: 0.1, duplication: 0.05)), seconds: 60),
             iter: Fuzz.Cases(6),
             threads: 1);
 
     [Fact, Behaviour("protocol.session.damaged-network", "08, 2.6")]
     public void Damaged_datagrams_are_as_good_as_lost()
         => Gen.Int.Sample(
-            seed => Exchange(new SimulatedNetwork(seed, new NetworkQuality(0.05, 0.03, Loss: 0.02, Damage: 0.1)), seconds: 60),
+            seed => Exchange(new SimulatedNetwork(seed, new NetworkQuality(0.05, 0.03, loss: 0.02)) { Damage = 0.1 }, seconds: 60),
             iter: Fuzz.Cases(6),
             threads: 1);
 
     [Fact, Behaviour("protocol.session.long-walk", "08, 2.6")]
     public void Ten_minutes_of_movement_over_a_bad_network_leave_nothing_behind()
     {
-        var network = new SimulatedNetwork(7, new NetworkQuality(0.1, 0.05, Loss: 0.05, Duplication: 0.02));
+        var network = new SimulatedNetwork(7, new NetworkQuality(0.1, 0.05, loss: 0.05, duplication: 0.02));
         Exchange(network, seconds: 600);
         Assert.InRange(network.Client.Statistics.Resent, 1, network.Client.Statistics.DatagramsSent);
         Assert.InRange(network.Server.Link!.HeldMessages, 0, 0);
@@ -36,7 +36,7 @@ public class BadNetworkTests
         => Gen.Int.Sample(
             seed =>
             {
-                var network = new SimulatedNetwork(seed, new NetworkQuality(0.2, 0.1, Loss: 0.4));
+                var network = new SimulatedNetwork(seed, new NetworkQuality(0.2, 0.1, loss: 0.4));
                 network.Client.Connect(0);
                 network.RunUntil(() => network.Client.State is SessionState.CharacterSelect or SessionState.Failed, 30.5);
                 Assert.True(network.Client.State is SessionState.CharacterSelect or SessionState.Failed, network.Client.State.ToString());
@@ -61,7 +61,8 @@ public class BadNetworkTests
         });
 
         // Time for what was lost at the end: the clocks that go on show that it is missing.
-        network.Quality = network.Quality with { Loss = 0, Damage = 0 };
+        network.Quality = network.Quality with { Loss = 0 };
+        network.Damage = 0;
         network.Run(15);
         Assert.Equal(SessionState.InWorld, network.Client.State);
         Assert.Equal(0, network.Client.MissingPackets);

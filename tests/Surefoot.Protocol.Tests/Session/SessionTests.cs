@@ -9,7 +9,7 @@ namespace Surefoot.Protocol.Tests.Session;
 /// <summary>A client's session with a server's over a good network, in simulated time.</summary>
 public class SessionTests
 {
-    private static readonly NetworkQuality Good = new(Delay: 0.05);
+    private static readonly NetworkQuality Good = new(delay: 0.05);
 
     [Fact, Behaviour("protocol.session.login", "08, 3")]
     public void A_client_logs_in_makes_a_character_enters_leaves_and_says_goodbye()

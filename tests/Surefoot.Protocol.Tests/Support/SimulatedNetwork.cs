@@ -2,34 +2,31 @@ using Surefoot.Protocol.Session;
 
 namespace Surefoot.Protocol.Tests.Support;
 
-/// <summary>How bad a network is.</summary>
-/// <param name="Delay">Seconds each way.</param>
-/// <param name="Jitter">Seconds that the delay varies both ways: datagrams overtake each other.</param>
-/// <param name="Loss">Share that is lost.</param>
-/// <param name="Duplication">Share that arrives twice.</param>
-/// <param name="Damage">Share of which a bit flips.</param>
-internal readonly record struct NetworkQuality(double Delay, double Jitter = 0, double Loss = 0, double Duplication = 0, double Damage = 0);
-
 /// <summary>A client's session and a server's, joined by a seeded bad network, in simulated time.</summary>
 internal sealed class SimulatedNetwork
 {
     private const double Frame = 0.01;
 
-    private readonly Random random;
-    private readonly PriorityQueue<(byte[] Bytes, ServerPort Port, bool ToServer), double> underWay = new();
+    private readonly SimulatedLine line;
 
     public SimulatedNetwork(
         int seed, NetworkQuality quality, ClientSessionOptions? options = null, Func<IDatagramSink, ScriptedServer>? server = null)
     {
-        random = new Random(seed);
-        Quality = quality;
+        line = new SimulatedLine((ulong)seed) { Quality = quality };
         options ??= new ClientSessionOptions { Account = "walker", Password = "testpass" };
         Client = new ClientSession(options, new Way(this, toServer: true));
         var toClient = new Way(this, toServer: false);
         Server = server?.Invoke(toClient) ?? new ScriptedServer(toClient);
     }
 
-    public NetworkQuality Quality { get; set; }
+    public NetworkQuality Quality
+    {
+        get => line.Quality;
+        set => line.Quality = value;
+    }
+
+    /// <summary>Share of datagrams of which a bit flips.</summary>
+    public double Damage { get; set; }
 
     public ClientSession Client { get; }
 
@@ -81,29 +78,23 @@ internal sealed class SimulatedNetwork
 
     private void Deliver()
     {
-        while (underWay.TryPeek(out (byte[] Bytes, ServerPort Port, bool ToServer) datagram, out double due) && due <= Now)
+        while (line.TryTake(Now, out SimulatedDatagram? taken))
         {
-            underWay.Dequeue();
+            SimulatedDatagram datagram = taken.Value;
+            if (line.Roll() < Damage)
+                datagram.Bytes[(int)(line.Roll() * datagram.Length)] ^= (byte)(1 << (int)(line.Roll() * 8));
             if (!datagram.ToServer)
                 Client.Receive(datagram.Bytes, Now, Received);
             else if (!ServerDown)
                 Server.Receive(datagram.Bytes, datagram.Port, Now);
+            line.Free(datagram);
         }
     }
 
     private void Send(ReadOnlySpan<byte> datagram, ServerPort port, bool toServer)
     {
         Bytes = toServer ? (Bytes.ToServer + datagram.Length, Bytes.ToClient) : (Bytes.ToServer, Bytes.ToClient + datagram.Length);
-        for (int copies = random.NextDouble() < Quality.Duplication ? 2 : 1; copies > 0; copies--)
-        {
-            if (random.NextDouble() < Quality.Loss)
-                continue;
-            byte[] bytes = datagram.ToArray();
-            if (random.NextDouble() < Quality.Damage)
-                bytes[random.Next(bytes.Length)] ^= (byte)(1 << random.Next(8));
-            double delay = Quality.Delay + (Quality.Jitter * ((2 * random.NextDouble()) - 1));
-            underWay.Enqueue((bytes, port, toServer), Now + Math.Max(0, delay));
-        }
+        line.Send(datagram, port, toServer, Now);
     }
 
     private sealed class Way(SimulatedNetwork network, bool toServer) : IDatagramSink

@@ -1,0 +1,198 @@
+using System.Numerics;
+using Surefoot.Protocol.Messages;
+
+namespace Surefoot.Server;
+
+/// <summary>
+/// What those who know a player are told of what its client claims: each motion, each place, each jump, with the stamps of the player's
+/// object. What a client sends is given to <c>Take</c>; what follows goes to the <see cref="IAudience"/>. Who comes later is told
+/// <see cref="Describe"/> first. Nothing is checked: a claim that is to be refused is not to be given here.
+/// </summary>
+/// <remarks>
+/// Specification 08, 5.7, 8.7 and 8.8, and 09, 4.4 (a jump). What the server makes of a claim by a body of its own, such as a place in the
+/// air, is left out: nobody sees it, as only places on the ground are followed (09, 5.3). The player's own echoes are its server's affair.
+/// </remarks>
+public sealed class PlayerBroadcast
+{
+    /// <summary>Seconds between two places that come with motions; those that come alone are all told.</summary>
+    private const double PositionInterval = 1.0;
+
+    private const uint Visible = 0x600408, InPortalSpace = 0x604410;
+    private const uint CreatureType = 0x10, PlayerFlags = 0x1C;
+
+    private readonly uint player;
+    private readonly IAudience audience;
+    private readonly PassedActions actions = new();
+    private WireRawMotion asked = new();
+    private bool chargesLongJump, onGround = true, hasJumped;
+    private MovementData seen = MovementData.Motion(0, new WireInterpretedMotion());
+    private WirePosition place;
+    private uint state = Visible;
+    private double lastPosition = double.NegativeInfinity;
+
+    /// <summary>A player whose life in the world begins: it stands. Nobody is told yet.</summary>
+    /// <param name="player">Id of the player's object, not 0.</param>
+    /// <param name="place">Where it begins.</param>
+    /// <param name="audience">Everybody who knows it, itself not among them.</param>
+    /// <param name="runRate">Factor on its running speed, as the server has it.</param>
+    /// <param name="instance">Which life of the object.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The id is 0, or the run rate is negative or not finite.</exception>
+    public PlayerBroadcast(uint player, in WirePosition place, IAudience audience, float runRate = 1, ushort instance = 1)
+    {
+        ArgumentOutOfRangeException.ThrowIfZero(player);
+        ArgumentNullException.ThrowIfNull(audience);
+        ThrowIfNoRate(runRate);
+        this.player = player;
+        this.place = place;
+        this.audience = audience;
+        RunRate = runRate;
+        Stamps = new ObjectStamps(0, 0, 0, 0, 0, 0, 0, 0, instance);
+    }
+
+    /// <summary>The stamps of what was told last.</summary>
+    public ObjectStamps Stamps { get; private set; }
+
+    /// <summary>Factor on the player's running speed, as the server has it.</summary>
+    public float RunRate { get; private set; }
+
+    /// <summary>The player is on its way to another place: its own places are not told.</summary>
+    public bool IsTeleporting => state == InPortalSpace;
+
+    /// <summary>
+    /// Once a player has come down from a jump, everybody is told again what is asked of it, so that it runs on where it lands. Live
+    /// servers leave that out: there it is seen standing, and drawn after its places, until its keys change.
+    /// </summary>
+    public bool TellsMotionAfterJump { get; init; }
+
+    /// <summary>The player as it is now, for somebody who does not know it yet; what is told afterwards goes on from there.</summary>
+    /// <param name="setup">Its shape, 0x02…</param>
+    /// <param name="motionTable">Its motions, 0x09…</param>
+    /// <param name="name">Its name.</param>
+    /// <param name="model">What it looks like; null for as the shape does.</param>
+    /// <remarks>Specification 08, 8.6, smallest CreateObject of a player.</remarks>
+    public CreateObject Describe(uint setup, uint motionTable, string name, ModelData? model = null) => new(new ObjectDescription(
+        player, model ?? new ModelData(),
+        new PhysicsDescription
+        {
+            State = state,
+            Setup = setup,
+            MotionTable = motionTable,
+            Movement = seen,
+            Autonomous = 1,
+            Position = place,
+            Stamps = Stamps,
+        },
+        new WeenieDescription { Name = name, ItemType = CreatureType, Description = PlayerFlags }));
+
+    /// <summary>The player's keys changed.</summary>
+    /// <param name="move">What its client says.</param>
+    /// <param name="now">Seconds.</param>
+    public void Take(in MoveToState move, double now)
+    {
+        onGround = move.Contact;
+        if (actions.TryPass(move.Motion.Actions, out MotionActions passed))
+        {
+            asked = move.Motion;
+            chargesLongJump = move.StandingLongJump;
+            seen = Asked();
+            TellMotion(MotionTranslation.Interpret(asked, RunRate, chargesLongJump, passed), autonomous: true);
+        }
+
+        TakePlace(move.Position, move.Contact, isDue: now - lastPosition >= PositionInterval, now);
+    }
+
+    /// <summary>The player is somewhere.</summary>
+    /// <param name="position">What its client says.</param>
+    /// <param name="now">Seconds.</param>
+    public void Take(in AutonomousPosition position, double now)
+    {
+        onGround = position.Contact;
+        TakePlace(position.Position, position.Contact, isDue: true, now);
+        if (!position.Contact || !hasJumped) return;
+        hasJumped = false;
+        if (TellsMotionAfterJump) TellMotion(seen = Asked(), autonomous: true);
+    }
+
+    /// <summary>
+    /// The player jumps. Everybody sees it stand, so that the velocity that comes next is not replaced by that of its motion.
+    /// </summary>
+    /// <param name="jump">What its client says.</param>
+    public void Take(in Jump jump)
+    {
+        onGround = false;
+        hasJumped = true;
+        TellMotion(seen = MovementData.Motion(0, new WireInterpretedMotion()), autonomous: true);
+        Vector3 velocity = Vector3.Transform(jump.Velocity, jump.Position.Orientation);
+        Stamps = Stamps with { Vector = Next(Stamps.Vector) };
+        audience.Tell(new VectorUpdate(player, velocity, default, Stamps.Instance, Stamps.Vector));
+    }
+
+    /// <summary>The player's run rate changed. One that moves on the ground by it is ordered to go on at the new speed.</summary>
+    /// <param name="runRate">Factor on its running speed.</param>
+    /// <exception cref="ArgumentOutOfRangeException">Negative or not finite; nothing has changed.</exception>
+    public void ChangeRunRate(float runRate)
+    {
+        ThrowIfNoRate(runRate);
+        MovementData before = Asked();
+        RunRate = runRate;
+        if (!onGround || Asked() == before) return;
+        Stamps = Stamps with { ServerControlledMove = Next(Stamps.ServerControlledMove) };
+        TellMotion(seen = Asked(), autonomous: false);
+    }
+
+    /// <summary>The server puts the player somewhere else. It is hidden there, until <see cref="EndTeleport"/>.</summary>
+    /// <param name="to">Where.</param>
+    /// <param name="now">Seconds.</param>
+    public void Teleport(in WirePosition to, double now)
+    {
+        Stamps = Stamps with { Teleport = Next(Stamps.Teleport) };
+        TellPosition(to, contact: true, now);
+        TellState(InPortalSpace);
+        TellPosition(to, contact: true, now);
+    }
+
+    /// <summary>The player's client is there: it is seen, and its places are told again.</summary>
+    public void EndTeleport()
+    {
+        if (IsTeleporting) TellState(Visible);
+    }
+
+    private static ushort Next(ushort stamp) => unchecked((ushort)(stamp + 1));
+
+    private static void ThrowIfNoRate(float runRate)
+    {
+        if (!(runRate >= 0) || !float.IsFinite(runRate))
+            throw new ArgumentOutOfRangeException(nameof(runRate), runRate, "A run rate is a finite number, 0 or more.");
+    }
+
+    private MovementData Asked() => MotionTranslation.Interpret(asked, RunRate, chargesLongJump);
+
+    private void TakePlace(in WirePosition at, bool contact, bool isDue, double now)
+    {
+        if (IsTeleporting) return;
+        place = at;
+        if (isDue) TellPosition(at, contact, now);
+    }
+
+    private void TellPosition(in WirePosition at, bool contact, double now)
+    {
+        place = at;
+        lastPosition = now;
+        Stamps = Stamps with { Position = Next(Stamps.Position) };
+        audience.Tell(new UpdatePosition(
+            player, new PositionPack(at, contact, Stamps.Instance, Stamps.Position, Stamps.Teleport, Stamps.ForcePosition)));
+    }
+
+    private void TellMotion(in MovementData motion, bool autonomous)
+    {
+        Stamps = Stamps with { Movement = Next(Stamps.Movement) };
+        audience.Tell(new UpdateMotion(player, Stamps.Instance, Stamps.Movement, Stamps.ServerControlledMove, autonomous, motion));
+    }
+
+    private void TellState(uint value)
+    {
+        state = value;
+        Stamps = Stamps with { State = Next(Stamps.State) };
+        audience.Tell(new SetState(player, value, Stamps.Instance, Stamps.State));
+    }
+}

@@ -1,0 +1,170 @@
+using System.Numerics;
+using Surefoot.Protocol.Messages;
+
+namespace Surefoot.Server.Tests;
+
+public class PlayerBroadcastTests
+{
+    private const uint Player = 0x50000001, Setup = 0x02000001, Motions = 0x09000001, RunKey = 2, WalkForward = 0x45000005;
+    private const ushort RunForward = 0x07, Wave = 0x87, Reload = 0x4A;
+
+    private static readonly MovementStamps NoStamps = new(1, 0, 0, 0);
+    private static readonly WireRawMotion Runs = new(RunKey, forwardCommand: WalkForward);
+
+    private readonly Audience audience = new();
+    private readonly PlayerBroadcast broadcast;
+
+    public PlayerBroadcastTests() => broadcast = new PlayerBroadcast(Player, At(12), audience, runRate: 2.5f);
+
+    private static WirePosition At(float y) => new(0xA9B40001, new Vector3(12, y, 0), Quaternion.Identity);
+
+    private static MoveToState Asks(in WireRawMotion motion, float y = 12, bool contact = true) =>
+        new(motion, At(y), NoStamps, contact, StandingLongJump: false);
+
+    [Fact]
+    [Behaviour("broadcast.move-to-state", "spec/08, 5.7 and 8.8")]
+    public void Keys_are_told_as_the_players_own_motion_at_the_servers_speed_with_its_place()
+    {
+        broadcast.Take(Asks(Runs, y: 13), now: 5);
+        UpdateMotion motion = Assert.IsType<UpdateMotion>(audience.Told[0]);
+        Assert.Equal((Player, (ushort)1, (ushort)1, (ushort)0, true),
+            (motion.Guid, motion.Instance, motion.MovementStamp, motion.ServerControlledMove, motion.Autonomous));
+        Assert.Equal(new WireInterpretedMotion(forwardCommand: RunForward, forwardSpeed: 2.5f), motion.Movement.State);
+        UpdatePosition position = Assert.IsType<UpdatePosition>(audience.Told[1]);
+        Assert.Equal(new UpdatePosition(Player, new PositionPack(At(13), true, 1, 1, 0, 0)), position);
+        Assert.Equal(2, audience.Told.Count);
+    }
+
+    [Fact]
+    [Behaviour("broadcast.positions-of-motions-once-a-second", "spec/08, 5.7 and 8.7")]
+    public void Places_of_motions_are_told_once_a_second_and_those_that_come_alone_always()
+    {
+        broadcast.Take(Asks(Runs, y: 1), now: 0);
+        broadcast.Take(Asks(new WireRawMotion(RunKey), y: 2), now: 0.5);
+        broadcast.Take(new AutonomousPosition(At(3), NoStamps, Contact: true), now: 0.625);
+        broadcast.Take(new AutonomousPosition(At(4), NoStamps, Contact: true), now: 0.75);
+        broadcast.Take(Asks(Runs, y: 5), now: 1.75);
+        broadcast.Take(Asks(Runs, y: 6), now: 1.875);
+        Assert.Equal([1f, 3f, 4f, 5f], audience.Positions.Select(item => item.Pack.Position.Origin.Y));
+        Assert.Equal([1, 2, 3, 4], audience.Positions.Select(item => (int)item.Pack.PositionStamp));
+        Assert.Equal([1, 2, 3, 4], audience.Motions.Select(item => (int)item.MovementStamp));
+    }
+
+    [Fact]
+    [Behaviour("broadcast.jump", "spec/08, 5.7 (Jump); 09, 4.4")]
+    public void A_jump_is_told_as_standing_and_then_the_velocity_in_the_axes_of_the_world()
+    {
+        broadcast.Take(Asks(Runs), now: 0);
+        audience.Told.Clear();
+        Quaternion left = Quaternion.CreateFromAxisAngle(Vector3.UnitZ, MathF.PI / 2);
+        broadcast.Take(new Jump(0.5f, new Vector3(0, 4, 5), At(12) with { Orientation = left }, NoStamps));
+        UpdateMotion motion = Assert.IsType<UpdateMotion>(audience.Told[0]);
+        Assert.Equal((new WireInterpretedMotion(), (ushort)0, true), (motion.Movement.State, motion.Movement.Style, motion.Autonomous));
+        VectorUpdate vector = Assert.IsType<VectorUpdate>(audience.Told[1]);
+        Assert.Equal((Player, (ushort)1, (ushort)1), (vector.Guid, vector.Instance, vector.VectorStamp));
+        Assert.True(Vector3.Distance(new Vector3(-4, 0, 5), vector.Velocity) < 1e-5);
+        Assert.Equal(2, audience.Told.Count);
+    }
+
+    [Theory]
+    [InlineData(false, 0)]
+    [InlineData(true, 1)]
+    [Behaviour("broadcast.after-a-jump", "spec/08, 5.7 (Jump) and PlayerBroadcast.TellsMotionAfterJump")]
+    public void Whoever_lands_still_running_is_told_to_run_only_when_that_is_wanted(bool tells, int motions)
+    {
+        PlayerBroadcast jumper = new(Player, At(12), audience, runRate: 2.5f) { TellsMotionAfterJump = tells };
+        jumper.Take(Asks(Runs), now: 0);
+        jumper.Take(new Jump(0.5f, new Vector3(0, 4, 5), At(12), NoStamps));
+        audience.Told.Clear();
+        jumper.Take(new AutonomousPosition(At(20), NoStamps, Contact: true), now: 1);
+        jumper.Take(new AutonomousPosition(At(21), NoStamps, Contact: true), now: 2);
+        Assert.Equal(motions, audience.Motions.Count());
+        Assert.All(audience.Motions, motion =>
+            Assert.Equal(new WireInterpretedMotion(forwardCommand: RunForward, forwardSpeed: 2.5f), motion.Movement.State));
+        Assert.Equal(2, audience.Positions.Count());
+    }
+
+    [Fact]
+    [Behaviour("broadcast.actions", "spec/08, 5.7 (Actions)")]
+    public void Of_actions_only_emotes_are_passed_on_and_without_one_there_is_no_motion_but_the_place()
+    {
+        MotionAction[] both = [new(Wave, 7, true, 1f), new(Reload, 8, true, 1f)];
+        broadcast.Take(Asks(new WireRawMotion(actions: new MotionActions(both))), now: 0);
+        MotionAction passed = Assert.Single(audience.Motions.Single().Movement.State.Actions.Span.ToArray());
+        Assert.Equal((Wave, (ushort)2), (passed.Command, passed.Stamp));
+
+        broadcast.Take(Asks(new WireRawMotion(actions: new MotionActions([new(Reload, 9, true, 1f)]))), now: 5);
+        Assert.Single(audience.Motions);
+        Assert.Equal(2, audience.Positions.Count());
+    }
+
+    [Fact]
+    [Behaviour("broadcast.run-rate", "spec/08, 5.7 (run rate changed)")]
+    public void A_changed_run_rate_orders_a_runner_on_the_ground_and_nobody_else()
+    {
+        broadcast.ChangeRunRate(3);
+        broadcast.Take(Asks(Runs), now: 0);
+        broadcast.ChangeRunRate(4);
+        broadcast.Take(new Jump(0.5f, new Vector3(0, 4, 5), At(12), NoStamps));
+        broadcast.ChangeRunRate(4.5f);
+        UpdateMotion[] motions = [.. audience.Motions];
+        Assert.Equal([true, false, true], motions.Select(motion => motion.Autonomous));
+        Assert.Equal([0, 1, 1], motions.Select(motion => (int)motion.ServerControlledMove));
+        Assert.Equal(new WireInterpretedMotion(forwardCommand: RunForward, forwardSpeed: 4f), motions[1].Movement.State);
+        Assert.Throws<ArgumentOutOfRangeException>(() => broadcast.ChangeRunRate(float.NaN));
+        Assert.Equal(4.5f, broadcast.RunRate);
+    }
+
+    [Fact]
+    [Behaviour("broadcast.teleport", "spec/08, 5.7 (Teleport)")]
+    public void A_teleport_is_two_places_around_a_hidden_state_and_places_count_again_when_it_ends()
+    {
+        broadcast.Teleport(At(99), now: 3);
+        broadcast.Take(new AutonomousPosition(At(13), NoStamps, Contact: true), now: 4);
+        Assert.True(broadcast.IsTeleporting);
+        broadcast.EndTeleport();
+        broadcast.EndTeleport();
+        Assert.Equal(
+            [
+                new UpdatePosition(Player, new PositionPack(At(99), true, 1, 1, 1, 0)), new SetState(Player, 0x604410, 1, 1),
+                new UpdatePosition(Player, new PositionPack(At(99), true, 1, 2, 1, 0)), new SetState(Player, 0x600408, 1, 2),
+            ],
+            audience.Told);
+    }
+
+    [Fact]
+    [Behaviour("broadcast.describe", "spec/08, 8.6 (smallest CreateObject of a player)")]
+    public void Who_comes_later_is_told_where_the_player_is_what_it_does_and_from_which_stamps_on()
+    {
+        broadcast.Take(Asks(Runs, y: 40), now: 1);
+        broadcast.Take(Asks(new WireRawMotion(RunKey, forwardCommand: WalkForward, actions: new MotionActions([new(Wave, 7, true, 1f)])), y: 41),
+            now: 1.5);
+        ObjectDescription told = broadcast.Describe(Setup, Motions, "Somebody").Object;
+        Assert.Equal((Player, "Somebody", 0x10u, 0x1Cu), (told.Guid, told.Weenie.Name, told.Weenie.ItemType, told.Weenie.Description));
+        Assert.Equal((Setup, Motions, 0x600408u), (told.Physics.Setup, told.Physics.MotionTable, told.Physics.State));
+        Assert.Equal(At(41), told.Physics.Position);
+        Assert.Equal(new WireInterpretedMotion(forwardCommand: RunForward, forwardSpeed: 2.5f), told.Physics.Movement!.Value.State);
+        Assert.Equal(new ObjectStamps(1, 2, 0, 0, 0, 0, 0, 0, 1), told.Physics.Stamps);
+    }
+
+    [Fact]
+    [Behaviour("broadcast.stamps-wrap", "spec/08, 4.3")]
+    public void Stamps_go_on_from_zero_after_the_last_number()
+    {
+        for (int i = 0; i < 65536; i++) broadcast.Take(new AutonomousPosition(At(i % 100), NoStamps, Contact: true), now: i);
+        Assert.Equal([65535, 0], audience.Positions.TakeLast(2).Select(item => (int)item.Pack.PositionStamp));
+    }
+
+    /// <summary>Keeps what is told.</summary>
+    private sealed class Audience : IAudience
+    {
+        internal List<object> Told { get; } = [];
+
+        internal IEnumerable<UpdateMotion> Motions => Told.OfType<UpdateMotion>();
+
+        internal IEnumerable<UpdatePosition> Positions => Told.OfType<UpdatePosition>();
+
+        public void Tell<T>(in T message)
+            where T : IMessage<T> => Told.Add(message);
+    }
+}
