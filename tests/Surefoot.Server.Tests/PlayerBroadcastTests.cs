@@ -137,8 +137,8 @@ public class PlayerBroadcastTests
     public void Who_comes_later_is_told_where_the_player_is_what_it_does_and_from_which_stamps_on()
     {
         broadcast.Take(Asks(Runs, y: 40), now: 1);
-        broadcast.Take(Asks(new WireRawMotion(RunKey, forwardCommand: WalkForward, actions: new MotionActions([new(Wave, 7, true, 1f)])), y: 41),
-            now: 1.5);
+        MotionActions wave = new([new(Wave, 7, true, 1f)]);
+        broadcast.Take(Asks(new WireRawMotion(RunKey, forwardCommand: WalkForward, actions: wave), y: 41), now: 1.5);
         ObjectDescription told = broadcast.Describe(Setup, Motions, "Somebody").Object;
         Assert.Equal((Player, "Somebody", 0x10u, 0x1Cu), (told.Guid, told.Weenie.Name, told.Weenie.ItemType, told.Weenie.Description));
         Assert.Equal((Setup, Motions, 0x600408u), (told.Physics.Setup, told.Physics.MotionTable, told.Physics.State));
