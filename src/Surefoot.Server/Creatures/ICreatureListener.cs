@@ -19,7 +19,9 @@ public interface ICreatureListener
     /// <param name="message">The message.</param>
     void OnPosition(CreatureDriver creature, in UpdatePosition message);
 
-    /// <summary>A goal was reached: the creature is where it should be, or faces where it should. Who follows, flees or sticks goes on.</summary>
+    /// <summary>
+    /// A goal was reached: the creature is where it should be, or faces where it should. Who follows, flees or sticks goes on.
+    /// </summary>
     /// <param name="creature">Who.</param>
     void OnArrived(CreatureDriver creature)
     {
@@ -32,7 +34,9 @@ public interface ICreatureListener
     {
     }
 
-    /// <summary>The creature wants to move and cannot. It stands and waits until something near it changes, unless it is told otherwise.</summary>
+    /// <summary>
+    /// The creature wants to move and cannot. It stands and waits until something near it changes, unless it is told otherwise.
+    /// </summary>
     /// <param name="creature">Who.</param>
     void OnStuck(CreatureDriver creature)
     {

@@ -49,7 +49,8 @@ public sealed class CreatureGoalTests(DemoGround ground) : IClassFixture<DemoGro
     [Fact, Behaviour("creature.stamps", "spec/08, 4.3 and 8.7: SERVER_CONTROLLED + 1 when a move begins")]
     public void Every_message_about_a_creature_has_the_next_stamp()
     {
-        ObjectStamps stamps = new(Position: 65534, Movement: 7, 0, 0, Teleport: 3, ServerControlledMove: 65535, ForcePosition: 4, 0, Instance: 9);
+        ObjectStamps stamps = new(
+            Position: 65534, Movement: 7, 0, 0, Teleport: 3, ServerControlledMove: 65535, ForcePosition: 4, 0, Instance: 9);
         CreatureFixture f = new(ground, Meadow, options: new CreatureDriverOptions { Stamps = stamps });
         f.Driver!.MoveTo(DemoGround.At(Meadow, ahead: 9));
         f.Driver.TurnTo(90f);
@@ -108,7 +109,9 @@ public sealed class CreatureGoalTests(DemoGround ground) : IClassFixture<DemoGro
         Assert.Equal(0.3, f.GapTo(target), 0.05);
 
         // It took hold again each second: type 0, with the object to stick to.
-        Assert.InRange(f.Motions.Count(m => m.Message.Movement is { Type: MovementType.InterpretedMotion, Target: CreatureFixture.TargetId }), 2, 4);
+        int holds = f.Motions.Count(
+            m => m.Message.Movement is { Type: MovementType.InterpretedMotion, Target: CreatureFixture.TargetId });
+        Assert.InRange(holds, 2, 4);
         target.SetPositionSimple(DemoGround.At(Meadow, right: 1, ahead: 4.5f), sliding: false);
         f.Run(1.5);
         Assert.Equal(0.3, f.GapTo(target), 0.05);

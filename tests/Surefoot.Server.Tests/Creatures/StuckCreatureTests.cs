@@ -5,7 +5,7 @@ using Surefoot.Protocol.Messages;
 
 namespace Surefoot.Server.Tests.Creatures;
 
-/// <summary>Creatures pressed against walls: 4 m north of the place "house-door" is the house's wall, whose doorway is 1.2 m wide.</summary>
+/// <summary>Creatures against walls: 4 m north of the place "house-door" is the house's wall, whose doorway is 1.2 m wide.</summary>
 public sealed class StuckCreatureTests(DemoGround ground) : IClassFixture<DemoGround>
 {
     private const string House = "house-door";
@@ -66,7 +66,7 @@ public sealed class StuckCreatureTests(DemoGround ground) : IClassFixture<DemoGr
         Assert.False(CellIds.IsOutdoor(f.Body.Position.CellId));
     }
 
-    [Fact, Behaviour("creature.stuck.target-moves", "design, server operator: wakes when something changes; a quarter of the distance is another direction")]
+    [Fact, Behaviour("creature.stuck.target-moves", "design, server operator: wakes when something changes")]
     public void A_stuck_creature_tries_again_when_its_target_is_elsewhere()
     {
         CreatureFixture f = new(ground, House, BesideTheDoor);
