@@ -15,6 +15,7 @@ namespace Surefoot.Client;
 public sealed class LocalPlayer
 {
     private readonly PlayerMessages messages;
+    private int killerStatus;
 
     private LocalPlayer(PhysicsEngine engine, PhysicsBody body, PlayerWeenie weenie, IServerLink server, LocalPlayerOptions options)
     {
@@ -77,7 +78,7 @@ public sealed class LocalPlayer
         try
         {
             LocalPlayer player = new(engine, body, weenie, server, options);
-            server.Receive(engine.Now, player.messages);
+            player.Receive(engine.Now);
             if (body.EnterWorld(position)) return player;
         }
         catch
@@ -97,7 +98,7 @@ public sealed class LocalPlayer
     public void Update(MovementKeys keys, double now)
     {
         PlayerMovementController.ThrowIfNotFinite(now);
-        Server.Receive(now, messages);
+        Receive(now);
         Controller.Update(keys, now);
     }
 
@@ -117,6 +118,15 @@ public sealed class LocalPlayer
         Body.SetVelocity(Vector3.Zero);
         Controller.OnTeleported(now);
         return result;
+    }
+
+    /// <summary>What the server says acts; whether the character is a killer of players decides by whom its body is stopped.</summary>
+    private void Receive(double now)
+    {
+        Server.Receive(now, messages);
+        if (Character.PlayerKillerStatus == killerStatus) return;
+        killerStatus = Character.PlayerKillerStatus;
+        Body.SetWeenie(WeenieForms.WithStatus(Body.Weenie, killerStatus));
     }
 }
 

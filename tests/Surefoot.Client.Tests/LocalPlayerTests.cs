@@ -5,6 +5,7 @@ using Surefoot.Physics.Motion;
 using Surefoot.Physics.Tests.Motion;
 using Surefoot.Physics.Tests.Transitions;
 using Surefoot.Physics.World;
+using Surefoot.Protocol.Messages;
 using Surefoot.Server;
 
 namespace Surefoot.Client.Tests;
@@ -56,6 +57,26 @@ public class LocalPlayerTests
         Assert.Throws<ArgumentException>(() => f.Player.Update(MovementKeys.Forward, double.NaN));
         Assert.Equal(before, f.Origin);
         Assert.Empty(f.Sent.Moves);
+    }
+
+    [Fact]
+    [Behaviour("player.killer-status", "spec/08, 6.7: PK status; spec/02, 4.11: the mover's flags come from its weenie")]
+    public void A_player_whose_status_the_server_tells_is_stopped_by_its_like()
+    {
+        const WeenieTraits plain = WeenieTraits.Present | WeenieTraits.Creature | WeenieTraits.Player;
+        PhysicsEngine engine = new(new StubWorld(_ => StubWorld.Flat(0)));
+        FakeServer server = new();
+        LocalPlayer player = LocalPlayer.Spawn(engine, KeyFixture.Id, WalkFixture.Setup, HumanoidTable.Create(),
+            new Position(StubWorld.CellId, new Vector3(12, 12, 0)), server)!;
+        Assert.Equal(plain, player.Body.Weenie);
+        (int Status, WeenieTraits Trait)[] all =
+            [(4, WeenieTraits.PK), (0x40, WeenieTraits.PKLite), (0x20, WeenieTraits.Impenetrable), (2, WeenieTraits.None)];
+        foreach ((int status, WeenieTraits trait) in all)
+        {
+            server.Say(new PublicUpdatePropertyInt(0, KeyFixture.Id, 134, status));
+            player.Update(MovementKeys.None, engine.Now);
+            Assert.Equal(plain | trait, player.Body.Weenie);
+        }
     }
 
     [Fact]

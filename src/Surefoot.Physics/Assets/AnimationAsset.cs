@@ -1,3 +1,4 @@
+using System.Collections.Immutable;
 using System.Numerics;
 using Surefoot.Dats.Records;
 using Surefoot.Physics.Geometry;
@@ -76,22 +77,24 @@ public sealed class AnimationAsset
 
     private static Frame FrameOf(DatFrame frame) => new(RetailMath.FiniteOrZero(frame.Origin), frame.Rotation);
 
-    /// <summary>The hooks that matter to movement; a scale that is not a positive number is left out.</summary>
+    /// <summary>All hooks, whatever they do; a scale that is not a positive number does nothing.</summary>
     private static MotionHook[] HooksOf(Animation record)
     {
         List<MotionHook> hooks = [];
         for (int i = 0; i < record.Frames.Length; i++)
         {
-            foreach (AnimationHook hook in record.Frames[i].Hooks)
+            ImmutableArray<AnimationHook> listed = record.Frames[i].Hooks;
+            for (int k = 0; k < listed.Length; k++)
             {
-                if (hook is EtherealHook { Ethereal: int on })
-                    hooks.Add(new MotionHook(MotionHookKind.Ethereal, i, hook.Direction, new Vector3(on != 0 ? 1 : 0, 0, 0)));
-                else if (hook is SetOmegaHook spin)
-                    hooks.Add(new MotionHook(MotionHookKind.Omega, i, hook.Direction, RetailMath.FiniteOrZero(spin.Omega)));
-                else if (hook is ScaleHook { End: > 0 and <= float.MaxValue } scale)
-                    hooks.Add(
-                        new MotionHook(MotionHookKind.Scale, i, hook.Direction,
-                            new Vector3(scale.End, float.IsFinite(scale.Time) ? scale.Time : 0, 0)));
+                (MotionHookKind kind, Vector3 value) = listed[k] switch
+                {
+                    EtherealHook hook => (MotionHookKind.Ethereal, new Vector3(hook.Ethereal != 0 ? 1 : 0, 0, 0)),
+                    SetOmegaHook hook => (MotionHookKind.Omega, RetailMath.FiniteOrZero(hook.Omega)),
+                    ScaleHook { End: > 0 and <= float.MaxValue } hook =>
+                        (MotionHookKind.Scale, new Vector3(hook.End, float.IsFinite(hook.Time) ? hook.Time : 0, 0)),
+                    _ => (MotionHookKind.Other, Vector3.Zero),
+                };
+                hooks.Add(new MotionHook(kind, i, listed[k].Direction, value) { AnimationId = record.Id, Index = k });
             }
         }
 

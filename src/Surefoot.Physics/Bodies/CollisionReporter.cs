@@ -13,6 +13,7 @@ internal sealed class CollisionReporter(PhysicsBody body)
 
     private Dictionary<uint, CollisionRecord>? touching;
     private List<uint>? ended;
+    private Vector3 normal;
 
     private readonly record struct CollisionRecord(double TouchedTime, bool Ethereal);
 
@@ -28,13 +29,17 @@ internal sealed class CollisionReporter(PhysicsBody body)
     internal bool Report(CollisionInfo met, bool hadContact, bool landed, double simulatedTime)
     {
         bool reported = false;
+        normal = met.CollisionNormalValid ? met.CollisionNormal : landed ? body.ContactPlane.Normal : Vector3.Zero;
         foreach (WorldObject other in met.Objects) reported |= Track(other, hadContact, simulatedTime);
         ReportEnd(simulatedTime, force: false);
 
         if (TouchesEnvironment) TouchesEnvironment = met.CollidedWithEnvironment;
         else if (met.CollidedWithEnvironment || landed) reported |= ReportEnvironment(hadContact);
+        normal = Vector3.Zero;
         return reported;
     }
+
+    private Impact Impact => new(body.Position, normal);
 
     /// <remarks>Retail: CPhysicsObj::track_object_collision @0x00513F10.</remarks>
     private bool Track(WorldObject other, bool hadContact, double simulatedTime)
@@ -60,7 +65,7 @@ internal sealed class CollisionReporter(PhysicsBody body)
                 if (wasMissile)
                 {
                     body.Listener?.OnAttackCollision(body,
-                        new AttackCollision(other.Id, other.Position.QuadrantOf(body.Position, other.Height)));
+                        new AttackCollision(other.Id, other.Position.QuadrantOf(body.Position, other.Height), Impact));
                 }
                 else body.Listener?.OnObjectCollision(body, ProfileOf(other, relative, hadContact, otherIsMissile, other.HasContact));
                 reported = true;
@@ -74,7 +79,7 @@ internal sealed class CollisionReporter(PhysicsBody body)
         {
             ICollisionListener? listener = (other as PhysicsBody)?.Listener;
             if (otherIsMissile)
-                listener?.OnAttackCollision(other, new AttackCollision(body.Id, body.Position.QuadrantOf(other.Position, body.Height)));
+                listener?.OnAttackCollision(other, new AttackCollision(body.Id, body.Position.QuadrantOf(other.Position, body.Height), Impact));
             // Retail hands over the missile and contact flags the wrong way round; so do we.
             else listener?.OnObjectCollision(other, ProfileOf(body, relative, other.HasContact, hadContact, wasMissile));
             reported = true;
@@ -88,7 +93,7 @@ internal sealed class CollisionReporter(PhysicsBody body)
     {
         if (TouchesEnvironment) return false;
         bool reported = body.State.Has(PhysicsState.ReportCollisions) && body.Weenie != WeenieTraits.None;
-        if (reported) body.Listener?.OnEnvironmentCollision(body, new EnvironmentCollision(body.Velocity, hadContact));
+        if (reported) body.Listener?.OnEnvironmentCollision(body, new EnvironmentCollision(body.Velocity, hadContact, Impact));
         TouchesEnvironment = true;
         if (body.State.Has(PhysicsState.Missile)) body.State &= ~MissileBits;
         return reported;
@@ -138,8 +143,8 @@ internal sealed class CollisionReporter(PhysicsBody body)
             other.Listener?.OnCollisionEnd(other, body.Id);
     }
 
-    private static ObjectCollision ProfileOf(WorldObject other, Vector3 relative, bool meInContact, bool isMissile, bool inContact) =>
+    private ObjectCollision ProfileOf(WorldObject other, Vector3 relative, bool meInContact, bool isMissile, bool inContact) =>
         other.Weenie == WeenieTraits.None
-            ? default
-            : new ObjectCollision(other.Id, relative, other.Weenie, meInContact, isMissile, inContact);
+            ? new ObjectCollision { Impact = Impact }
+            : new ObjectCollision(other.Id, relative, other.Weenie, meInContact, isMissile, inContact, Impact);
 }

@@ -14,4 +14,9 @@ internal interface IHookTarget
 
     /// <summary>Grows or shrinks, at once or in a number of seconds.</summary>
     void SetScale(float value, float seconds);
+
+    /// <summary>A hook of an animation was passed and what it does to the object is done.</summary>
+    void OnPassed(in PassedHook hook)
+    {
+    }
 }

@@ -49,6 +49,9 @@ public sealed partial class PhysicsBody
         Scale = tweens.Set(Scale, value, seconds, quantumTime ?? updateTime);
     }
 
+    /// <inheritdoc/>
+    void IHookTarget.OnPassed(in PassedHook hook) => HookListener?.OnHook(this, hook);
+
     /// <summary>Somebody asks where the parts are: a tree of theirs, or what they hold.</summary>
     private bool KeepsParts => State.Has(PhysicsState.HasPhysicsBsp) || HeldCount > 0;
 

@@ -98,6 +98,9 @@ public sealed partial class PhysicsBody : WorldObject, IMotionBody, IHookTarget
     /// <summary>Is told of collisions.</summary>
     public ICollisionListener? Listener { get; set; }
 
+    /// <summary>Is told what the body's animations pass.</summary>
+    public IHookListener? HookListener { get; set; }
+
     /// <summary>Is told each decision when the body is swept or placed; null, the usual case, costs nothing.</summary>
     public TraceBuffer? Trace { get; set; }
 

@@ -16,5 +16,7 @@ internal static class MotionHookAction
             case MotionHookKind.Omega: target.SetOmega(hook.Value); break;
             case MotionHookKind.Scale: target.SetScale(hook.Value.X, hook.Value.Y); break;
         }
+
+        if (hook.Kind != MotionHookKind.AnimationDone) target.OnPassed(new PassedHook(hook.AnimationId, hook.Frame, hook.Index));
     }
 }

@@ -99,7 +99,7 @@ public class MotionTableLoaderTests
 
     [Fact]
     [Behaviour("motion.table.loads-parts-and-hooks", "spec/07, 7.6 to 7.8; spec/02, 4.18")]
-    public void Parts_are_loaded_on_request_and_the_hooks_that_matter_to_movement_always()
+    public void Parts_are_loaded_on_request_and_hooks_always()
     {
         Animation swing = new()
         {
@@ -125,11 +125,14 @@ public class MotionTableLoaderTests
         Assert.Equal(Vector3.UnitY, animation.PartFrames(1)[1].Origin);
         Assert.Equal(
             [
-                new MotionHook(MotionHookKind.Ethereal, 0, 1, Vector3.UnitX), new MotionHook(MotionHookKind.Omega, 1, 0, Vector3.UnitZ),
-                new MotionHook(MotionHookKind.Scale, 1, -1, new Vector3(2, 0.5f, 0)),
-                new MotionHook(MotionHookKind.Ethereal, 1, 0, Vector3.Zero),
+                Hook(MotionHookKind.Other, 0, 0, 0, Vector3.Zero), Hook(MotionHookKind.Ethereal, 0, 1, 1, Vector3.UnitX),
+                Hook(MotionHookKind.Omega, 1, 0, 0, Vector3.UnitZ), Hook(MotionHookKind.Scale, 1, 1, -1, new Vector3(2, 0.5f, 0)),
+                Hook(MotionHookKind.Other, 1, 2, 0, Vector3.Zero), Hook(MotionHookKind.Ethereal, 1, 3, 0, Vector3.Zero),
             ],
             animation.Hooks.ToArray());
         Assert.Throws<ArgumentException>(() => new AnimationAsset(1, 2, default, new Physics.Geometry.Frame[3]));
+
+        MotionHook Hook(MotionHookKind kind, int frame, int index, int direction, Vector3 value) =>
+            new(kind, frame, direction, value) { AnimationId = swing.Id, Index = index };
     }
 }
