@@ -79,7 +79,8 @@ internal sealed class CollisionReporter(PhysicsBody body)
         {
             ICollisionListener? listener = (other as PhysicsBody)?.Listener;
             if (otherIsMissile)
-                listener?.OnAttackCollision(other, new AttackCollision(body.Id, body.Position.QuadrantOf(other.Position, body.Height), Impact));
+                listener?.OnAttackCollision(other,
+                    new AttackCollision(body.Id, body.Position.QuadrantOf(other.Position, body.Height), Impact));
             // Retail hands over the missile and contact flags the wrong way round; so do we.
             else listener?.OnObjectCollision(other, ProfileOf(body, relative, other.HasContact, hadContact, wasMissile));
             reported = true;

@@ -1,6 +1,6 @@
 using System.Numerics;
+using Surefoot.Physics;
 using Surefoot.Physics.Bodies;
-using Surefoot.Physics.Geometry;
 using Surefoot.Physics.World;
 using Surefoot.Protocol.Messages;
 using static Surefoot.Client.Tests.RemoteFixture;
@@ -24,7 +24,7 @@ public sealed class RemoteMissileTests(DemoFiles files) : IClassFixture<DemoFile
     {
         RemoteFixture f = Over();
         PhysicsBody missile = Shoot(f, new Vector3(30, 40, 0), Bolt & ~PhysicsState.AlignPath, new Vector3(0, 0, MathF.PI / 2));
-        f.Frames(31);
+        f.Frames(30);
         AssertNear(Sky + new Vector3(30, 40, 0), missile.Position.Frame.Origin);
         AssertNear(-Vector3.UnitX, missile.Position.Frame.YAxis);
     }
@@ -35,7 +35,8 @@ public sealed class RemoteMissileTests(DemoFiles files) : IClassFixture<DemoFile
     {
         RemoteFixture f = Over();
         ObjectDescription described = Describe(Other, Sky + new Vector3(0, 20, -0.475f));
-        PhysicsBody target = f.Create(described with { Physics = described.Physics with { State = (uint)PhysicsState.ReportCollisions } }).Body;
+        PhysicsBody target = f.Create(
+            described with { Physics = described.Physics with { State = (uint)PhysicsState.ReportCollisions } }).Body;
         PhysicsBody missile = Shoot(f, new Vector3(0, 50, 0));
         target.Listener = this;
         f.Frames(60);
@@ -57,7 +58,7 @@ public sealed class RemoteMissileTests(DemoFiles files) : IClassFixture<DemoFile
     {
         RemoteFixture f = Over();
         PhysicsBody missile = Shoot(f, new Vector3(0, 40, 0));
-        f.Frames(16);
+        f.Frames(15);
         f.Say(new VectorUpdate(One, new Vector3(80, 0, 0), Vector3.Zero, 1, 1));
         f.Frames(30);
         AssertNear(Sky + new Vector3(50, 20, 0), missile.Position.Frame.Origin);
@@ -73,7 +74,7 @@ public sealed class RemoteMissileTests(DemoFiles files) : IClassFixture<DemoFile
         f.Create(described with { Physics = described.Physics with { State = (uint)Bolt } });
         PhysicsBody thing = Shoot(f, new Vector3(0, 10, 0), PhysicsState.ReportCollisions);
         f.Say(new SetState(One, (uint)Bolt, 1, 1));
-        f.Frames(91);
+        f.Frames(90);
         AssertNear(Sky + new Vector3(0, 30, 0), thing.Position.Frame.Origin);
         Assert.Empty(hits);
     }

@@ -184,7 +184,7 @@ public class CollisionReportTests
         Assert.Equal([new AttackCollision(2, 8 | 64 | 2, default)], mine.Attacks.Select(hit => hit with { Impact = default }));
         Assert.Empty(mine.Profiles);
         Assert.Equal(
-            [new ObjectCollision(1, new(0, 8, 0), WeenieTraits.Present, MeInContact: true, OtherIsMissile: true, OtherInContact: true, default)],
+            [new ObjectCollision(1, new(0, 8, 0), WeenieTraits.Present, true, OtherIsMissile: true, OtherInContact: true, default)],
             Plain(theirs.Profiles));
         Assert.Equal(PhysicsState.Default, f.Body.State);
     }

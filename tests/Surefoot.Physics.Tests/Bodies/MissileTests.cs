@@ -49,7 +49,7 @@ public class MissileTests
         Assert.Equal(new Vector3(0, 20, 0), range.Missile.Velocity);
     }
 
-    [Theory, Behaviour("missile.hits.who-is-alive", "spec/06, 6: a missile without a target stops at players of every kind and at creatures")]
+    [Theory, Behaviour("missile.hits.who-is-alive", "spec/06, 6: a missile without a target stops at every player and creature")]
     [InlineData(Creature)]
     [InlineData(Player)]
     [InlineData(Player | WeenieTraits.PK)]
@@ -64,7 +64,9 @@ public class MissileTests
         range.Fly(30);
 
         // Both are told, once: the missile of an attack, the one hit of a body, since the missile is none any more.
-        Assert.Equal([(MissileId, TargetId, true), (TargetId, MissileId, false)], range.Hits.Select(hit => (hit.Told, hit.Of, hit.IsAttack)));
+        Assert.Equal(
+            [(MissileId, TargetId, true), (TargetId, MissileId, false)],
+            range.Hits.Select(hit => (hit.Told, hit.Of, hit.IsAttack)));
         Impact impact = range.Hits[0].Impact;
         Assert.Equal(range.Hits[1].Impact, impact);
         // Radii 0.48 and 0.1: it ends less than a sub-step, one radius, before they touch.

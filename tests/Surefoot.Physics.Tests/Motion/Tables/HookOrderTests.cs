@@ -17,7 +17,7 @@ public class HookOrderTests
     private const MotionCommand Style = MotionCommand.NonCombat;
 
     [Fact]
-    [Behaviour("motion.hooks.once-and-in-order", "spec/01b, 1, steps 3 and 5: hooks of each whole frame passed; the frame that ends a round is not")]
+    [Behaviour("motion.hooks.once-and-in-order", "spec/01b, 1, step 3: hooks of each whole frame passed; the last of a round is not")]
     public void Whatever_the_quanta_each_frame_s_hook_is_passed_once_a_round_and_in_order()
     {
         Gen.Select(Gen.Int[3, 9], Gen.Int[1, 4], Gen.Float[0.004f, 0.2f].List[1, 40]).Sample(
@@ -64,7 +64,7 @@ public class HookOrderTests
     }
 
     [Fact]
-    [Behaviour("motion.hooks.end-of-a-link-in-its-place", "spec/01b, 1, step 5: a link's end is queued after its hooks and before the cycle's")]
+    [Behaviour("motion.hooks.end-of-a-link-in-its-place", "spec/01b, 1, step 5: an end is queued after the hooks passed before it")]
     public void The_end_of_a_link_comes_between_its_own_hooks_and_those_of_the_cycle()
     {
         MotionSequence sequence = Playing(Numbered(1, 3), 1);
@@ -90,7 +90,8 @@ public class HookOrderTests
         PhysicsEngine engine = new(new StubWorld(_ => null));
         PhysicsBody body = engine.CreateBody(1, StubWorld.Setup(new Sphere(Vector3.Zero, 0.5f)), PhysicsState.ReportCollisions);
         body.Seat(
-            new BodySeat(new Position(StubWorld.CellId, new Vector3(12, 12, 5)), Vector3.Zero, TransientState.None, default, 0, Vector3.Zero));
+            new BodySeat(
+                new Position(StubWorld.CellId, new Vector3(12, 12, 5)), Vector3.Zero, TransientState.None, default, 0, Vector3.Zero));
         MotionTableAsset table = new MotionTableBuilder(1).Style(Style, MotionCommand.Ready)
             .Cycle(Style, MotionCommand.Ready, new MotionAsset([new AnimationSpan(animation, 0, -1, 30f)])).Build();
         SteeredPhysicsBody.Of(body).Attach(new MovementManager(body, table, weenie: null));
