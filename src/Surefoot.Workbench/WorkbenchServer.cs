@@ -196,7 +196,6 @@ public sealed class WorkbenchServer : IAsyncDisposable
     private static object Listing(IWorkbenchWorld world) => new
     {
         world = world.Name,
-        dats = world.DatFolder,
         places = world.Places.Select(place => new
         {
             name = place.Name,

@@ -72,7 +72,9 @@ public readonly record struct Place(Position Position, bool OnGround = false)
     {
         Vector3 origin = new(numbers[0], numbers[1], numbers[2]);
         Quaternion rotation = new(numbers[4], numbers[5], numbers[6], numbers[3]);
-        if (count == FullCount) return new Frame(origin, Quaternion.Normalize(rotation));
+        // One that is a unit already, as far as floats tell, is the one that was meant.
+        bool isUnit = Math.Abs(rotation.LengthSquared() - 1f) < 1e-6f;
+        if (count == FullCount) return new Frame(origin, isUnit ? rotation : Quaternion.Normalize(rotation));
         Frame frame = new(origin, Quaternion.Identity);
         if (count == 4) frame.SetHeading(numbers[3]);
         return frame;

@@ -16,7 +16,7 @@ public sealed class FrameTests
     private static readonly PlayerPose SamplePose = new(
         12.5, 0xA9B40025, new Vector3(100, -1.5f, 20), 1, new Vector3(3, -4, 2), 5,
         PoseFlags.Contact | PoseFlags.OnWalkable | PoseFlags.Charging,
-        new Plane(0, 0.5f, 0.75f, -20), 0.125f, 0.0625f, 2.5f, 0x44000007, 2.5f, -0.5f, -1.5f, 5);
+        new Plane(0, 0.5f, 0.75f, -20), 0.125f, 0.0625f, 2.5f, 0x44000007, 2.5f, -0.5f, -1.5f, 5, 4);
 
     private static readonly BodyPose[] SampleBodies =
     [
@@ -56,6 +56,9 @@ public sealed class FrameTests
         Assert.True(ClientFrame.TryParse(Bytes("placeOnGround"), Places, out ClientFrame onGround));
         Assert.Equal(at with { Position = at.Position with { Z = float.NaN } }, onGround);
 
+        Assert.True(ClientFrame.TryParse(Bytes("askWalk"), Places, out ClientFrame askWalk));
+        Assert.Equal(new ClientFrame(FrameKind.AskWalk), askWalk);
+        Assert.Equal(Bytes("walk"), ServerFrames.Walk(new WalkReport("W 3 ", "é.")));
         Assert.Equal(Bytes("welcome"), ServerFrames.Welcome(7, new PlayerSettings(300, 250, 7000), 15_000, 9, 2));
         Assert.Equal(Bytes("pose"), ServerFrames.Pose(SamplePose, 9, 10, 3));
         Assert.Equal(Bytes("others"), ServerFrames.Others(12.5, 1, [(1, default), (2, SamplePose)]));
@@ -94,6 +97,7 @@ public sealed class FrameTests
     [InlineData("06 02")]
     [InlineData("07 00")]
     [InlineData("08 00")]
+    [InlineData("0a 00")]
     [InlineData("09 2500b4a9 0000c842 0000c0bf 0000a041")]
     [InlineData("09 2500b4a9 0000c07f 0000c0bf 0000a041 0000803f")]
     [InlineData("09 2500b4a9 0000c842 0000807f 0000a041 0000803f")]

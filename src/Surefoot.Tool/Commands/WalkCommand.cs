@@ -32,12 +32,12 @@ internal static class WalkCommand
         Option<double?> quantum = new("--quantum")
         {
             Description =
-                "Milliseconds of a quantum: the script is divided into such as near as may be, and each leg takes exactly its time, " +
-                "as the page's commands ask. Without it, frames of 60 a second.",
+                "Milliseconds of a quantum: all are of this length, and keys act in the one that their moment falls into, as with the " +
+                "page's commands. Without it, frames of 60 a second.",
         };
         Option<string> script = new("--script")
         {
-            Description = "Keys and seconds: W A S D Q E Shift Space Wait, joined by + and separated by ;",
+            Description = "Keys and seconds: W A S D Q E Shift Space Auto Wait, joined by + and separated by ;",
             Required = true,
         };
         Option<bool> json = new("--json") { Description = "Print one JSON object." };

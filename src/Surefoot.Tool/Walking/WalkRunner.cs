@@ -1,6 +1,5 @@
 using System.Numerics;
 using Surefoot.Client;
-using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.World;
@@ -17,9 +16,17 @@ internal sealed class WalkRunner : IMovementObserver
     /// <summary>Seconds given to the body to stand before the script begins.</summary>
     private const double SettleTime = 0.5;
 
+    /// <summary>Units of the page's time in a second.</summary>
+    private const int PageUnits = 512;
+
+    /// <summary>Moments nearer to each other than this are one, seconds.</summary>
+    private const double Rounding = 1e-9;
+
     private readonly List<WalkSample> samples = [];
     private readonly List<WalkEvent> events = [];
     private double start = double.NaN;
+    private bool stood;
+    private uint cell;
 
     /// <summary>Runs the script to its end.</summary>
     /// <param name="scene">The world.</param>
@@ -29,8 +36,8 @@ internal sealed class WalkRunner : IMovementObserver
     /// <param name="script">The same as text, for the result.</param>
     /// <param name="latency">Seconds until the server answers.</param>
     /// <param name="quantum">
-    /// Seconds, from 1/30 on: each leg is divided into quanta of this length, as near as may be, and takes exactly its time. Null for a
-    /// game's frames, which quanta and keys wait for.
+    /// Seconds, from 1/30 on: quanta are of this length, and keys act in the one that their moment falls into. Null for a game's frames,
+    /// which quanta and keys wait for.
     /// </param>
     /// <exception cref="UsageException">No player can be at the place.</exception>
     internal static WalkResult Run(
@@ -49,34 +56,66 @@ internal sealed class WalkRunner : IMovementObserver
         scene.Simulation.Tick(now);
         Player player = Spawn(scene.Simulation, place, stats, latency);
         scene.Simulation.Engine.Player = player.Body;
-        for (int i = 0; i < SettleTime / Frame; i++) player.Update(MovementKeys.None, now += Frame);
+        double step = quantum ?? Frame;
+        for (int i = 0; i < SettleTime / step; i++) player.Update(MovementKeys.None, now += step);
         start = now;
         Record(player, now);
-        bool stood = player.Body.OnWalkable;
-        uint cell = player.Body.Position.CellId;
-        foreach (WalkLeg leg in legs)
-        {
-            (int updates, double each) = Divide(leg.Seconds, quantum);
-            if (quantum is not null) player.Update(leg.Keys, now);
-            for (int i = 0; i < updates; i++)
-            {
-                MotionError refusedBefore = player.Local.Controller.LastRefusal;
-                if (player.Update(leg.Keys, now += each)) Record(player, now);
-                Notice(player, now, ref stood, ref cell, refusedBefore);
-            }
-        }
-
+        (stood, cell) = (player.Body.OnWalkable, player.Body.Position.CellId);
+        if (quantum is { } length) WalkQuanta(player, legs, length);
+        else WalkFrames(player, legs);
         scene.Simulation.Remove(player);
     }
 
-    /// <summary>How often the keys of a leg are looked at, and how many seconds apart.</summary>
-    private static (int Updates, double Each) Divide(double seconds, double? quantum)
+    /// <summary>Frames of a game: keys are looked at once in each, and a quantum is as many of them as it takes.</summary>
+    private void WalkFrames(Player player, IReadOnlyList<WalkLeg> legs)
     {
-        if (quantum is not { } wanted) return (Math.Max(1, (int)Math.Round(seconds / Frame)), Frame);
-        // A quantum that lacks the last bit of its least time would wait for the next update.
-        int most = (int)(seconds / (PhysicsBody.MinQuantum + 1e-9));
-        int quanta = Math.Max(1, Math.Min(most, (int)Math.Round(seconds / wanted)));
-        return (quanta, seconds / quanta);
+        double now = start;
+        foreach (WalkLeg leg in legs)
+        {
+            player.Keys = leg.Keys;
+            player.Local.Controller.SetAutoRun(leg.AutoRun, now);
+            for (int i = Math.Max(1, (int)Math.Round(leg.Seconds / Frame)); i > 0; i--) Advance(player, now += Frame);
+        }
+    }
+
+    /// <summary>Quanta of one length. A key acts at its own moment, as a jump's charge is measured, and moves the body a quantum
+    /// later.</summary>
+    private void WalkQuanta(Player player, IReadOnlyList<WalkLeg> legs, double quantum)
+    {
+        long quanta = 0;
+        double at = 0;
+        foreach (WalkLeg leg in legs)
+        {
+            for (; (quanta + 1) * quantum <= at + Rounding; quanta++) Advance(player, start + ((quanta + 1) * quantum));
+            Press(player, leg, start + at);
+            at += OnGrid(leg.Seconds, quantum);
+        }
+
+        for (; quanta * quantum < at - Rounding; quanta++) Advance(player, start + ((quanta + 1) * quantum));
+    }
+
+    /// <summary>
+    /// The page's times count in 1/512 s and are written with three digits: with quanta that do as well, the moment meant is the nearest.
+    /// </summary>
+    private static double OnGrid(double seconds, double quantum) =>
+        double.IsInteger(quantum * PageUnits)
+            ? Math.Round(seconds * PageUnits) / PageUnits
+            : seconds;
+
+    private void Press(Player player, WalkLeg leg, double now)
+    {
+        MotionError refusedBefore = player.Local.Controller.LastRefusal;
+        player.Keys = leg.Keys;
+        player.Local.Update(leg.Keys, now);
+        player.Local.Controller.SetAutoRun(leg.AutoRun, now);
+        Notice(player, now, refusedBefore);
+    }
+
+    private void Advance(Player player, double now)
+    {
+        MotionError refusedBefore = player.Local.Controller.LastRefusal;
+        if (player.Update(player.Keys, now)) Record(player, now);
+        Notice(player, now, refusedBefore);
     }
 
     private Player Spawn(Simulation simulation, ScenePlace place, CharacterStats stats, double latency)
@@ -101,7 +140,7 @@ internal sealed class WalkRunner : IMovementObserver
             player.Body.OnWalkable, player.Body.HasContact, player.Local.Controller.JumpLevel(now)));
     }
 
-    private void Notice(Player player, double now, ref bool stood, ref uint cell, MotionError refusedBefore)
+    private void Notice(Player player, double now, MotionError refusedBefore)
     {
         if (player.Body.OnWalkable != stood)
         {

@@ -5,8 +5,9 @@ namespace Surefoot.Tool.Walking;
 
 /// <summary>Keys held for a while.</summary>
 /// <param name="Keys">Keys held; none waits.</param>
-/// <param name="Seconds">How long.</param>
-internal sealed record WalkLeg(MovementKeys Keys, double Seconds);
+/// <param name="Seconds">How long; 0 for keys that are others again at once.</param>
+/// <param name="AutoRun">Runs ahead without a key.</param>
+internal sealed record WalkLeg(MovementKeys Keys, double Seconds, bool AutoRun = false);
 
 /// <summary>A mistake in a script, and where.</summary>
 internal sealed class WalkScriptException(string message, int position) : Exception(message)
@@ -17,7 +18,7 @@ internal sealed class WalkScriptException(string message, int position) : Except
 
 /// <summary>
 /// Reads what the hands do: legs separated by <c>;</c>, each some keys joined by <c>+</c> and a number of seconds, as in
-/// <c>W 3; W+Space 0.6; Wait 1</c>.
+/// <c>W 3; W+Space 0.6; Wait 1</c>. <c>Auto</c> among the keys runs ahead without one.
 /// </summary>
 internal static class WalkScript
 {
@@ -25,6 +26,8 @@ internal static class WalkScript
     internal const double MaxSeconds = 3600;
 
     internal const string Example = "W 3; W+Space 0.6; W 2";
+
+    private const string AutoRun = "Auto";
 
     private static readonly Dictionary<string, MovementKeys> KeyNames = new(StringComparer.OrdinalIgnoreCase)
     {
@@ -68,12 +71,13 @@ internal static class WalkScript
         int space = part.IndexOf(' ', at);
         string keys = space < 0 ? part[at..].Trim() : part[at..space];
         MovementKeys held = MovementKeys.None;
+        bool autoRun = false;
         int keyAt = start + at;
         foreach (string name in keys.Split('+'))
         {
-            if (!KeyNames.TryGetValue(name.Trim(), out MovementKeys key))
-                throw new WalkScriptException($"'{name}' is not a key; keys are {string.Join(", ", KeyNames.Keys)}", keyAt);
-            held |= key;
+            if (name.Trim().Equals(AutoRun, StringComparison.OrdinalIgnoreCase)) autoRun = true;
+            else if (KeyNames.TryGetValue(name.Trim(), out MovementKeys key)) held |= key;
+            else throw new WalkScriptException($"'{name}' is not a key; keys are {string.Join(", ", KeyNames.Keys)}, {AutoRun}", keyAt);
             keyAt += name.Length + 1;
         }
 
@@ -82,9 +86,9 @@ internal static class WalkScript
             ? start + part.TrimEnd().Length
             : start + space + (part[space..].Length - part[space..].TrimStart().Length);
         if (!double.TryParse(number, NumberStyles.Float, CultureInfo.InvariantCulture, out double seconds) || !double.IsFinite(seconds) ||
-            seconds <= 0)
+            seconds < 0)
             throw new WalkScriptException(
-                number.Length == 0 ? "a number of seconds is missing" : $"'{number}' is not a number of seconds above 0", numberAt);
-        return new WalkLeg(held, seconds);
+                number.Length == 0 ? "a number of seconds is missing" : $"'{number}' is not a number of seconds, 0 or more", numberAt);
+        return new WalkLeg(held, seconds, autoRun);
     }
 }

@@ -7,12 +7,16 @@ namespace Surefoot.Workbench.Hosting;
 
 /// <summary>
 /// The one loop that touches the world: takes what pages said, lets time pass, and tells the pages. It wakes far more often than physics
-/// ticks, so that a tick comes as soon as its quantum is full and a key acts at the moment it arrives. Without a page it sleeps, and so
-/// does the world's time.
+/// ticks, so that a tick comes as soon as its quantum is full and a key acts at the moment it arrives. All quanta are of one length: when
+/// it wakes late it makes up for those that are due, so that what a player did can be done again. Without a page it sleeps, and so does the
+/// world's time.
 /// </summary>
 internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters counters, TimeProvider clock, ILogger logger, int maxPlayers)
 {
     private static readonly TimeSpan WakeEvery = TimeSpan.FromMilliseconds(4);
+
+    /// <summary>Quanta made up for at once; time that is later still is lost.</summary>
+    private const int MostQuantaDue = 8;
 
     private readonly Channel<(PageConnection Page, bool Enters)> doors = Channel.CreateUnbounded<(PageConnection, bool)>();
     private readonly List<Seat> seats = [];
@@ -20,7 +24,8 @@ internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters co
     private readonly List<BodyPose> bodies = [];
     private readonly List<MovingPart> moving = [];
     private readonly long epoch = clock.GetTimestamp();
-    private TimeSpan slept;
+    private TimeSpan lost;
+    private double lastTick;
     private long turns;
     private long rests;
     private int reserved;
@@ -36,8 +41,8 @@ internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters co
     /// <summary>How often it has gone to sleep.</summary>
     public long Rests => Interlocked.Read(ref rests);
 
-    /// <summary>Seconds since the loop was made, without those in which nobody was there.</summary>
-    private double Now => (clock.GetElapsedTime(epoch) - slept).TotalSeconds;
+    /// <summary>The world's time: seconds since the loop was made, without those in which nobody was there or it was late.</summary>
+    private double Now => WorldTime.Floor((clock.GetElapsedTime(epoch) - lost).TotalSeconds);
 
     /// <summary>Reserves a seat for a page that is about to connect; false when all are taken.</summary>
     public bool TryReserve()
@@ -83,26 +88,40 @@ internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters co
         long since = clock.GetTimestamp();
         Interlocked.Increment(ref rests);
         await doors.Reader.WaitToReadAsync(stopping).ConfigureAwait(false);
-        slept += clock.GetElapsedTime(since);
+        lost += clock.GetElapsedTime(since);
     }
 
     /// <summary>Lets the world go on while a page is there.</summary>
     private async Task PlayAsync(CancellationToken stopping)
     {
         using PeriodicTimer timer = new(WakeEvery, clock);
-        do Turn(Now);
+        do Turn();
         while ((seats.Count > 0 || doors.Reader.TryPeek(out _)) && await timer.WaitForNextTickAsync(stopping).ConfigureAwait(false));
     }
 
-    private void Turn(double now)
+    /// <summary>First the ticks that are due, then what is new: a key acts in the quantum in which it comes.</summary>
+    private void Turn()
     {
         Interlocked.Increment(ref turns);
+        double now = Now, late = now - lastTick - (MostQuantaDue * WorldTime.Quantum);
+        if (late > 0)
+        {
+            lost += TimeSpan.FromSeconds(late);
+            now -= late;
+        }
+
+        while (now - lastTick >= WorldTime.Quantum) Tick();
         OpenDoors(now);
         for (int i = seats.Count - 1; i >= 0; i--) Listen(seats[i], now);
-        if (!world.Advance(now)) return;
+    }
+
+    private void Tick()
+    {
+        lastTick += WorldTime.Quantum;
+        if (!world.Advance(lastTick)) return;
         tick++;
         counters.CountTick();
-        Tell(now);
+        Tell(lastTick);
     }
 
     private void OpenDoors(double now)
@@ -123,7 +142,7 @@ internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters co
             IWorkbenchPlayer player = world.Join(id, settings, world.Places[0], now);
             seats.Add(new Seat(id, page, player));
             counters.CountPlayer(1);
-            page.Welcome(ServerFrames.Welcome(id, settings, world.BurdenCapacity, world.Places.Count, WireLimits.MinQuantum));
+            page.Welcome(ServerFrames.Welcome(id, settings, world.BurdenCapacity, world.Places.Count, WireLimits.Quantum));
         }
         catch (Exception mistake) when (mistake is ArgumentException or InvalidOperationException)
         {
@@ -172,6 +191,9 @@ internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters co
                 break;
             case FrameKind.Use:
                 seat.Player.Use(now);
+                break;
+            case FrameKind.AskWalk:
+                seat.Page.Send(ServerFrames.Walk(seat.Player.Walk));
                 break;
             case FrameKind.Pointer:
                 seat.Player.MovePointer(frame.Buttons, frame.Right, now);

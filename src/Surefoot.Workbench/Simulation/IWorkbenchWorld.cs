@@ -9,9 +9,6 @@ internal interface IWorkbenchWorld : IDisposable
     /// <summary>Name shown on the page.</summary>
     string Name { get; }
 
-    /// <summary>Folder of the dat files, for a command that is to use the same; null for the demo world.</summary>
-    string? DatFolder { get; }
-
     /// <summary>Places to go to; the first is where a player enters. Never empty.</summary>
     IReadOnlyList<WorkbenchPlace> Places { get; }
 
@@ -62,6 +59,9 @@ internal interface IWorkbenchPlayer
     /// <summary>What it stands on, if anything, and what it touches.</summary>
     IReadOnlyList<Touch> Touches { get; }
 
+    /// <summary>What it did last, as a command.</summary>
+    WalkReport Walk { get; }
+
     /// <summary>The keys held from now on.</summary>
     void SetKeys(PlayerKeys keys, double now);
 
@@ -89,6 +89,11 @@ internal interface IWorkbenchPlayer
     /// <summary>The oldest event not yet taken.</summary>
     bool TryTakeEvent(out PlayerEvent happened);
 }
+
+/// <summary>What a player did last.</summary>
+/// <param name="Command">The command line that does the same.</param>
+/// <param name="LeftOut">What was done that it does without, in words; empty when that is nothing.</param>
+internal readonly record struct WalkReport(string Command, string LeftOut);
 
 /// <summary>What the page draws of a landblock: 9 × 9 vertices, 8 × 8 cells, column (x) major.</summary>
 /// <param name="Heights">81 heights, metres, index 9·i + j.</param>

@@ -54,6 +54,7 @@ internal enum PoseFlags : ushort
 /// <param name="SidestepSpeed">Signed factor, right is positive, 0 when not sidestepping.</param>
 /// <param name="TurnSpeed">Signed factor, right is positive, 0 when not turning.</param>
 /// <param name="Teleports">Counts placements, modulo 256: poses with different counts are not joined by a line.</param>
+/// <param name="Walks">Counts walks begun, modulo 256: see <see cref="WalkRecorder"/>.</param>
 internal readonly record struct PlayerPose(
     double Time,
     uint CellId,
@@ -70,7 +71,8 @@ internal readonly record struct PlayerPose(
     float ForwardSpeed,
     float SidestepSpeed,
     float TurnSpeed,
-    byte Teleports)
+    byte Teleports,
+    byte Walks = 0)
 {
     /// <summary>The heading of a position as the page takes it: radians counter-clockwise from north.</summary>
     public static float YawOf(in Position position) => (float)(-position.Frame.Heading * Math.PI / 180.0);

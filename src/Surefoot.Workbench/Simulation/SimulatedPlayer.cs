@@ -13,8 +13,10 @@ namespace Surefoot.Workbench.Simulation;
 
 /// <summary>A page's player in the physics: keys go to its controller, what the page shows is read off its body.</summary>
 /// <param name="server">Its server.</param>
+/// <param name="settings">The skills that the server begins with.</param>
 /// <param name="nameOf">Names a body by its id.</param>
-internal sealed class SimulatedPlayer(LoopbackServer server, Func<uint, (TouchKind Kind, string Name)> nameOf)
+internal sealed class SimulatedPlayer(
+    LoopbackServer server, PlayerSettings settings, Func<uint, (TouchKind Kind, string Name)> nameOf)
     : IWorkbenchPlayer, IMovementObserver
 {
     /// <summary>Strength of every player; its capacity is what the burden slider is measured against.</summary>
@@ -29,9 +31,11 @@ internal sealed class SimulatedPlayer(LoopbackServer server, Func<uint, (TouchKi
     private readonly SpeedMeter speed = new();
     private readonly List<Touch> touches = [];
     private readonly TouchReader reader = new(nameOf);
+    private readonly WalkRecorder walk = new(settings);
     private LocalPlayer? player;
     private SimulatedWorld? world;
     private uint settledCell;
+    private PlayerKeys held;
     private MovementKeys keys;
     private byte teleports;
     private bool airborne;
@@ -46,6 +50,9 @@ internal sealed class SimulatedPlayer(LoopbackServer server, Func<uint, (TouchKi
 
     /// <inheritdoc/>
     public IReadOnlyList<Touch> Touches => touches;
+
+    /// <inheritdoc/>
+    public WalkReport Walk => new(walk.Command(World.DatFolder), walk.LeftOut);
 
     /// <summary>The player in the physics.</summary>
     public LocalPlayer Player => player ?? throw new InvalidOperationException("The player has not entered the world.");
@@ -74,6 +81,7 @@ internal sealed class SimulatedPlayer(LoopbackServer server, Func<uint, (TouchKi
         player.Controller.MouseTurning.Inverted = true;
         player.Controller.MouseTurning.Sensitivity = PointerSensitivity;
         world = around;
+        walk.Place(player.Body.Position);
         Observe(now);
     }
 
@@ -88,20 +96,24 @@ internal sealed class SimulatedPlayer(LoopbackServer server, Func<uint, (TouchKi
     }
 
     /// <inheritdoc/>
-    public void SetKeys(PlayerKeys held, double now)
+    public void SetKeys(PlayerKeys keysHeld, double now)
     {
         MovementKeys before = keys;
+        held = keysHeld;
         keys = Translate(held);
         Player.Update(keys, now);
+        walk.Act(held, Player.Controller.AutoRun, now);
         bool jumpChanged = ((keys ^ before) & MovementKeys.Jump) != 0;
         if (jumpChanged && Player.Controller.LastRefusal != MotionError.None && !Player.Controller.IsChargingJump)
             Happen(new PlayerEvent(PlayerEventKind.JumpRefused, now, Code: (uint)Player.Controller.LastRefusal));
     }
 
     /// <inheritdoc/>
-    public void MovePointer(PointerButtons held, float right, double now)
+    public void MovePointer(PointerButtons buttons, float right, double now)
     {
-        Player.Controller.SetMouseButtons(held.HasFlag(PointerButtons.Left), held.HasFlag(PointerButtons.Right), now);
+        bool turns = buttons.HasFlag(PointerButtons.Right);
+        Player.Controller.SetMouseButtons(buttons.HasFlag(PointerButtons.Left), turns, now);
+        if (turns) walk.Miss("what the mouse did");
         if (right != 0) Player.Controller.MoveMouse(right, now);
     }
 
@@ -109,17 +121,28 @@ internal sealed class SimulatedPlayer(LoopbackServer server, Func<uint, (TouchKi
     public void UseMouseTurning(bool on, double now) => Player.Controller.UseMouseTurning(on, now);
 
     /// <inheritdoc/>
-    public void ToggleAutoRun(double now) => Player.Controller.SetAutoRun(!Player.Controller.AutoRun, now);
+    public void ToggleAutoRun(double now)
+    {
+        Player.Controller.SetAutoRun(!Player.Controller.AutoRun, now);
+        walk.Act(held, Player.Controller.AutoRun, now);
+    }
 
     /// <inheritdoc/>
     public void LoseFocus(double now)
     {
+        if (Player.Controller.IsChargingJump) walk.Miss("a jump that was given up");
+        held = PlayerKeys.None;
         keys = MovementKeys.None;
         Player.Controller.LoseKeyboardFocus(now);
+        walk.Act(held, Player.Controller.AutoRun, now);
     }
 
     /// <inheritdoc/>
-    public void Configure(PlayerSettings settings, double now) => server.SetStats(StatsOf(settings), now);
+    public void Configure(PlayerSettings changed, double now)
+    {
+        server.SetStats(StatsOf(changed), now);
+        walk.Configure(changed);
+    }
 
     /// <inheritdoc/>
     public void Goto(WorkbenchPlace place, double now)
@@ -134,11 +157,16 @@ internal sealed class SimulatedPlayer(LoopbackServer server, Func<uint, (TouchKi
 
         teleports++;
         speed.Reset();
+        walk.Place(Player.Body.Position);
         Observe(now);
     }
 
     /// <inheritdoc/>
-    public void Use(double now) => World.UseDoor(this, now);
+    public void Use(double now)
+    {
+        World.UseDoor(this, now);
+        walk.Miss("the door");
+    }
 
     /// <inheritdoc/>
     public bool TryTakeEvent(out PlayerEvent happened) => events.TryDequeue(out happened);
@@ -146,8 +174,15 @@ internal sealed class SimulatedPlayer(LoopbackServer server, Func<uint, (TouchKi
     /// <summary>What the server says arrives and the keys act; before the world's tick.</summary>
     public void BeforeTick(double now) => Player.Update(keys, now);
 
-    /// <summary>Reads the pose off the body; after the world's tick.</summary>
-    public void Observe(double now)
+    /// <summary>Looks at the body after the world's tick.</summary>
+    public void AfterTick(double now)
+    {
+        Observe(now);
+        walk.Observe(Player.Body.Position, Pose, touches, now);
+    }
+
+    /// <summary>Reads the pose off the body.</summary>
+    private void Observe(double now)
     {
         PhysicsBody body = Player.Body;
         MovementManager movement = Player.Movement;
@@ -188,7 +223,8 @@ internal sealed class SimulatedPlayer(LoopbackServer server, Func<uint, (TouchKi
             motions.ForwardSpeed,
             motions.Sidestep == MotionCommand.None ? 0 : motions.SidestepSpeed,
             motions.Turn == MotionCommand.None ? 0 : motions.TurnSpeed,
-            teleports);
+            teleports,
+            walk.Count);
         reader.Read(Trace);
         if (body.HasCell) reader.CopyTo(touches);
         else touches.Clear();

@@ -77,7 +77,7 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     /// <inheritdoc/>
     public LeftOutNotice LeftOut => leftOut;
 
-    /// <inheritdoc/>
+    /// <summary>Folder of the dat files, for a command that is to use the same; null for the demo world.</summary>
     public string? DatFolder { get; init; }
 
     /// <summary>Is told once, in words, when something is left out.</summary>
@@ -92,7 +92,7 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
         PlaceRefusal refusal = FindPlace(place, null, out Position position);
         if (refusal != PlaceRefusal.None) throw new InvalidOperationException($"A player cannot be at {place.Name}: {refusal}.");
         LoopbackServer server = new(id, SimulatedPlayer.StatsOf(settings), engine.Now, ServerLatency);
-        SimulatedPlayer player = new(server, NameOf);
+        SimulatedPlayer player = new(server, settings, NameOf);
         LocalPlayer? spawned = LocalPlayer.Spawn(
             engine, id, human, humanMotions, position, server, new LocalPlayerOptions { Observer = player, Trace = player.Trace });
         player.Enter(spawned ?? throw new InvalidOperationException($"There is no room for a player at {place.Name}."), this, now);
@@ -115,7 +115,7 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
         if (!engine.Tick(now)) return false;
         foreach (SimulatedPlayer player in players)
         {
-            player.Observe(now);
+            player.AfterTick(now);
             if (player.EnteredBlock(out uint cellId)) Resettle(cellId);
         }
 

@@ -61,7 +61,7 @@ internal readonly record struct ClientFrame(
                 frame = new ClientFrame(FrameKind.PlaceAt, Cell: BinaryPrimitives.ReadUInt32LittleEndian(body), Position: position,
                     Yaw: yaw);
                 return true;
-            case FrameKind.Use or FrameKind.AutoRun or FrameKind.FocusLost when body.IsEmpty:
+            case FrameKind.Use or FrameKind.AutoRun or FrameKind.FocusLost or FrameKind.AskWalk when body.IsEmpty:
                 frame = new ClientFrame((FrameKind)bytes[0]);
                 return true;
             default:

@@ -1,3 +1,5 @@
+using Surefoot.Workbench.Simulation;
+
 namespace Surefoot.Workbench.Wire;
 
 /// <summary>
@@ -34,9 +36,12 @@ internal enum FrameKind : byte
 
     /// <summary>
     /// Page → server: <c>u32 cell, f32[3] position, f32 yaw</c>: be there; a height of NaN means on the ground. Answered by a
-    /// pose with another count of teleports, or by the event <see cref="Simulation.PlayerEventKind.PlaceRefused"/>.
+    /// pose with another count of teleports, or by the event <see cref="PlayerEventKind.PlaceRefused"/>.
     /// </summary>
     PlaceAt = 0x09,
+
+    /// <summary>Page → server, nothing more: say what the player did last. Answered by <see cref="Walk"/>.</summary>
+    AskWalk = 0x0A,
 
     /// <summary>Server → page, once and first; see <see cref="ServerFrames.Welcome"/>.</summary>
     Welcome = 0x81,
@@ -66,6 +71,9 @@ internal enum FrameKind : byte
     /// stays as it was; see <see cref="ServerFrames.Moving"/>.
     /// </summary>
     Moving = 0x87,
+
+    /// <summary>Server → page: what its player did last, as a command; see <see cref="ServerFrames.Walk"/>.</summary>
+    Walk = 0x88,
 }
 
 /// <summary>The keys a player holds.</summary>
@@ -96,7 +104,7 @@ internal enum PointerButtons : byte
 internal static class WireLimits
 {
     /// <summary>Version of the frames; a page of another version reloads itself.</summary>
-    public const byte Version = 5;
+    public const byte Version = 6;
 
     /// <summary>Longest frame a page sends, bytes.</summary>
     public const int LongestClientFrame = 21;
@@ -104,8 +112,8 @@ internal static class WireLimits
     /// <summary>Farthest that a pointer moves between two frames, counts.</summary>
     public const float MaxPointerMove = 10_000f;
 
-    /// <summary>Shortest tick of the physics, seconds.</summary>
-    public const float MinQuantum = 1f / 30f;
+    /// <summary>Seconds from one tick of the physics to the next.</summary>
+    public const float Quantum = (float)WorldTime.Quantum;
 
     /// <summary>Ticks after which what has not changed is said again: a page that is slow to read loses frames.</summary>
     public const int RepeatEvery = 30;

@@ -9,7 +9,7 @@ namespace Surefoot.Workbench.Wire;
 internal static class ServerFrames
 {
     public const int WelcomeLength = 30;
-    public const int PoseLength = 102;
+    public const int PoseLength = 103;
     public const int EventLength = 18;
     public const int OthersHeaderLength = 11;
     public const int OtherLength = 52;
@@ -19,14 +19,15 @@ internal static class ServerFrames
     public const int TouchLength = 20;
     public const int MovingHeaderLength = 11;
     public const int MovingLength = 40;
+    public const int WalkHeaderLength = 9;
 
     private const int LongestName = 255;
 
     /// <summary>
-    /// <c>u8 kind, u8 version, u32 player, u16 run, u16 jump, u32 burden, u32 capacity, u16 max skill, u32 max burden, u16 places, f32 min
+    /// <c>u8 kind, u8 version, u32 player, u16 run, u16 jump, u32 burden, u32 capacity, u16 max skill, u32 max burden, u16 places, f32
     /// quantum</c>.
     /// </summary>
-    public static byte[] Welcome(uint player, PlayerSettings settings, int burdenCapacity, int places, float minQuantum)
+    public static byte[] Welcome(uint player, PlayerSettings settings, int burdenCapacity, int places, float quantum)
     {
         byte[] bytes = new byte[WelcomeLength];
         Writer to = new(bytes);
@@ -40,14 +41,14 @@ internal static class ServerFrames
         to.U16(WireLimits.MaxSkill);
         to.U32(WireLimits.MaxBurden);
         to.U16((ushort)places);
-        to.F32(minQuantum);
+        to.F32(quantum);
         return bytes;
     }
 
     /// <summary>
     /// <c>u8 kind, u8 teleports, u16 flags, u32 tick, u32 input sequence taken, f64 time, u32 cell, f32[3] position, f32 yaw, f32[3]
     /// velocity, f32[4] contact plane, f32 speed over ground, f32 charge, f32 quantum, f32 run rate, u32 forward command, f32 forward, f32
-    /// sidestep, f32 turn, u16 players</c>.
+    /// sidestep, f32 turn, u16 players, u8 walks</c>.
     /// </summary>
     public static byte[] Pose(in PlayerPose pose, uint tick, uint sequence, int players)
     {
@@ -74,6 +75,7 @@ internal static class ServerFrames
         to.F32(pose.SidestepSpeed);
         to.F32(pose.TurnSpeed);
         to.U16((ushort)players);
+        to.U8(pose.Walks);
         return bytes;
     }
 
@@ -202,6 +204,22 @@ internal static class ServerFrames
             to.F32(part.Scale);
         }
 
+        return bytes;
+    }
+
+    /// <summary>
+    /// <c>u8 kind, u32 length of the command, u32 length of what is left out</c>, and both in UTF-8, the command first.
+    /// </summary>
+    public static byte[] Walk(in WalkReport walk)
+    {
+        int command = Encoding.UTF8.GetByteCount(walk.Command), leftOut = Encoding.UTF8.GetByteCount(walk.LeftOut);
+        byte[] bytes = new byte[WalkHeaderLength + command + leftOut];
+        Writer to = new(bytes);
+        to.U8((byte)FrameKind.Walk);
+        to.U32((uint)command);
+        to.U32((uint)leftOut);
+        Encoding.UTF8.GetBytes(walk.Command, bytes.AsSpan(WalkHeaderLength));
+        Encoding.UTF8.GetBytes(walk.LeftOut, bytes.AsSpan(WalkHeaderLength + command));
         return bytes;
     }
 

@@ -8,11 +8,12 @@ public class WalkScriptTests
     [Fact, Behaviour("tool.walk.script-grammar", "design.md, The tool")]
     public void Legs_name_keys_and_seconds()
     {
-        IReadOnlyList<WalkLeg> legs = WalkScript.Parse("W 3; w+SPACE 0.6 ;Shift+S+Q 2;Wait 0.25;");
+        IReadOnlyList<WalkLeg> legs = WalkScript.Parse("W 3; w+SPACE 0.6 ;Shift+S+Q 2;Wait 0.25;auto+A 0;");
         Assert.Equal(
             [
                 new(MovementKeys.Forward, 3), new(MovementKeys.Forward | MovementKeys.Jump, 0.6),
                 new(MovementKeys.Walk | MovementKeys.Back | MovementKeys.SidestepLeft, 2), new WalkLeg(MovementKeys.None, 0.25),
+                new WalkLeg(MovementKeys.TurnLeft, 0, AutoRun: true),
             ],
             legs);
     }

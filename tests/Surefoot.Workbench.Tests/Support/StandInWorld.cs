@@ -23,8 +23,6 @@ internal sealed class StandInWorld : IWorkbenchWorld
 
     public string Name => "Stand-in";
 
-    public string? DatFolder => null;
-
     public IReadOnlyList<WorkbenchPlace> Places { get; } =
     [
         new("Middle", 0xA9B40025, new Vector3(100, 100, Ground), 0),
@@ -66,7 +64,7 @@ internal sealed class StandInWorld : IWorkbenchWorld
         moments.Enqueue(now);
         if (double.IsNaN(last)) last = now;
         float quantum = (float)(now - last);
-        if (quantum < WireLimits.MinQuantum) return false;
+        if (quantum < WireLimits.Quantum) return false;
         last = now;
         foreach (StandInPlayer player in players) player.Advance(quantum, now);
         return true;
@@ -119,7 +117,7 @@ internal sealed class StandInWorld : IWorkbenchWorld
         public PlayerPose Pose { get; private set; } = new(
             joined, place.CellId, place.Position, place.Yaw, Vector3.Zero, 0, PoseFlags.Contact | PoseFlags.OnWalkable,
             new Plane(Vector3.UnitZ, -Ground), 0,
-            WireLimits.MinQuantum, 1, 0x41000003, 1, 0, 0, 0);
+            WireLimits.Quantum, 1, 0x41000003, 1, 0, 0, 0);
 
         public void SetKeys(PlayerKeys now, double time)
         {
@@ -157,6 +155,8 @@ internal sealed class StandInWorld : IWorkbenchWorld
             [
                 new Touch(true, TouchKind.Ground, Pose.CellId, Vector3.UnitZ, ""),
                 new Touch(false, TouchKind.Body, DoorId, Vector3.UnitX, "door")];
+
+        public WalkReport Walk => new("surefoot walk", "nothing");
 
         public void Use(double now) => use();
 

@@ -18,8 +18,8 @@ import { fetchPlaces } from "./net/places";
 import { Requests } from "./net/requests";
 import { Session } from "./net/session";
 import { formatSpot } from "./net/spot";
-import { WalkRecord } from "./net/walk";
-import { EventKind, PoseFlag, type ServerFrame } from "./net/wire";
+import { WalkPath } from "./net/walk";
+import { PoseFlag, type ServerFrame } from "./net/wire";
 import type { Drawing } from "./scene/webgl";
 import { WorldView } from "./things/worldView";
 
@@ -32,25 +32,21 @@ export function play(by: Drawing): void {
   const world = new WorldView(surface, by);
   const drawing: Frames = { count: 0, drawnAt: 0 };
   const listing = fetchPlaces();
-  let dats: string | null = null;
 
   const connection = new Connection(receive, (state) => {
     if (state !== "open") return hud.cover.show(state);
     keyboard.releaseAll();
     requests.mouseTurning(pointer.turnsPlayer);
   });
-  const walk = new WalkRecord(
-    () => hud.skills.settings,
-    () => dats,
-  );
-  const requests = new Requests(connection, walk);
+  const walk = new WalkPath();
+  const requests = new Requests(connection);
   const hud = new Hud({
     settings: (settings) => {
       entrance.chose(settings);
       showAddress();
     },
     toggle,
-    copyWalk: () => void copyWalk(walk, hud.toasts, hud.notice),
+    copyWalk: () => requests.askWalk(),
     go: (destination) => {
       if ("spot" in destination) return requests.placeAt(destination.spot);
       requests.goto(destination.place);
@@ -76,7 +72,7 @@ export function play(by: Drawing): void {
     autoRun: () => requests.autoRun(),
     recenter: () => world.stage.view.recenter(),
     goTo: () => hud.goTo.focus(),
-    copyWalk: () => void copyWalk(walk, hud.toasts, hud.notice),
+    copyWalk: () => requests.askWalk(),
     help: () => hud.help.toggle(),
     closeHelp: () => hud.help.shown && hud.help.toggle(),
   });
@@ -92,10 +88,7 @@ export function play(by: Drawing): void {
   new TouchPad(held);
 
   window.surefoot = new Inspection(world, session, hud, connection, requests, walk, drawing);
-  void listing.then((places) => {
-    hud.listPlaces(places);
-    dats = places.dats;
-  });
+  void listing.then((places) => hud.listPlaces(places));
   connection.open();
   requestAnimationFrame(draw);
 
@@ -115,8 +108,7 @@ export function play(by: Drawing): void {
       walk.clear();
       entrance.welcome(frame);
     }
-    if (frame.kind === "event" && frame.event === EventKind.Jumped) walk.jumped(frame.value);
-    if (frame.kind === "touches") walk.touch(frame.touches);
+    if (frame.kind === "walk") void copyWalk(frame, hud.toasts, hud.notice);
     if (frame.kind !== "pose") return;
     entrance.pose(frame);
     walk.receive(frame);

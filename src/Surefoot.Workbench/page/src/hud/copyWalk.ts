@@ -1,6 +1,6 @@
 // Puts the command for the last walk on the clipboard; where there is none to be had, shows it to be copied by hand.
 
-import type { WalkRecord } from "../net/walk";
+import type { Walk } from "../net/wire";
 import type { Notice } from "./notice";
 import type { Toasts } from "./toasts";
 
@@ -10,10 +10,8 @@ const shownOf = 180;
 /** A clipboard that does not answer is closed, milliseconds. */
 const patienceFor = 1500;
 
-export async function copyWalk(record: WalkRecord, toasts: Toasts, notice: Notice): Promise<void> {
-  const { command, leftOut } = record;
-  if (command === null) return;
-  const without = leftOut.length > 0 ? ` It does without ${leftOut.join(" and ")}.` : "";
+export async function copyWalk({ command, leftOut }: Walk, toasts: Toasts, notice: Notice): Promise<void> {
+  const without = leftOut === "" ? "" : ` It does without ${leftOut}.`;
   try {
     const patience = new Promise((_, reject) => setTimeout(reject, patienceFor));
     await Promise.race([navigator.clipboard.writeText(command), patience]);

@@ -5,7 +5,7 @@ import type { Place } from "../net/places";
 import type { Requests } from "../net/requests";
 import type { Session } from "../net/session";
 import type { Drawn } from "../net/timeline";
-import type { WalkRecord } from "../net/walk";
+import type { WalkPath } from "../net/walk";
 import type { BodyPose, OwnPose, PlayerEvent, Touch, Vec3 } from "../net/wire";
 import type { MovingDrawn } from "../things/objects";
 import type { WorldView } from "../things/worldView";
@@ -27,7 +27,7 @@ export class Inspection {
     private readonly hud: Hud,
     private readonly connection: Connection,
     private readonly requests: Requests,
-    private readonly record: WalkRecord,
+    private readonly way: WalkPath,
     private readonly drawing: Readonly<Frames>,
   ) {}
 
@@ -107,10 +107,10 @@ export class Inspection {
     return this.world.stage.darkness;
   }
 
-  /** The last walk: its command, its way from above, how wide the map is, metres. */
-  get walk(): { command: string | null; path: readonly Vec3[]; metres: number; across: number } {
-    const { command, path, metres } = this.record;
-    return { command, path, metres, across: this.hud.map.metresAcross };
+  /** The last walk: its way from above, how wide the map is, metres. */
+  get walk(): { path: readonly Vec3[]; metres: number; across: number } {
+    const { path, metres } = this.way;
+    return { path, metres, across: this.hud.map.metresAcross };
   }
 
   get fps(): number {

@@ -51,6 +51,10 @@ export function encodeFocusLost(): ArrayBuffer {
   return new Uint8Array([0x08]).buffer;
 }
 
+export function encodeAskWalk(): ArrayBuffer {
+  return new Uint8Array([0x0a]).buffer;
+}
+
 /** Be at a spot; one without a height lies on the ground. */
 export function encodePlaceAt(spot: Spot): ArrayBuffer {
   const view = new DataView(new ArrayBuffer(21));

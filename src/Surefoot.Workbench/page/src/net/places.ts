@@ -17,8 +17,6 @@ export interface Place {
 
 export interface Listing {
   world: string;
-  /** Folder of the files; null for the demo world. */
-  dats: string | null;
   places: Place[];
 }
 

@@ -2,6 +2,7 @@
 
 import type { Connection } from "./connection";
 import {
+  encodeAskWalk,
   encodeAutoRun,
   encodeFocusLost,
   encodeGoto,
@@ -12,32 +13,20 @@ import {
   encodeSettings,
   encodeUse,
 } from "./encode";
-import { Button, type Settings, type Spot } from "./wire";
-
-/** Is told what a person does, as it is sent. */
-export interface Witness {
-  keys(held: number, sequence: number): void;
-  autoRun(held: number, sequence: number): void;
-  /** Something that no script of keys can say. */
-  miss(what: string): void;
-}
+import type { Settings, Spot } from "./wire";
 
 export class Requests {
   private sequence = 0;
   private held = 0;
 
-  constructor(
-    private readonly connection: Connection,
-    private readonly witness: Witness,
-  ) {}
+  constructor(private readonly connection: Connection) {}
 
   keys(held: number): void {
     this.held = held;
-    this.witness.keys(held, this.sendKeys());
+    this.sendKeys();
   }
 
   settings({ runSkill, jumpSkill, burden }: Settings): void {
-    this.witness.miss("the change of skills on the way");
     this.connection.send(encodeSettings(runSkill, jumpSkill, burden));
   }
 
@@ -50,12 +39,10 @@ export class Requests {
   }
 
   use(): void {
-    this.witness.miss("the door");
     this.connection.send(encodeUse());
   }
 
   pointer(buttons: number, right: number): void {
-    if ((buttons & Button.Right) !== 0) this.witness.miss("what the mouse did");
     this.connection.send(encodePointer(buttons, right));
   }
 
@@ -65,12 +52,17 @@ export class Requests {
 
   autoRun(): void {
     this.connection.send(encodeAutoRun());
-    this.witness.autoRun(this.held, this.sendKeys());
+    this.sendKeys();
   }
 
   focusLost(): void {
     this.connection.send(encodeFocusLost());
     this.keys(0);
+  }
+
+  /** What was done last? The answer is a frame of its own. */
+  askWalk(): void {
+    this.connection.send(encodeAskWalk());
   }
 
   /** Bytes as they are; for tests of the server. */
@@ -79,9 +71,8 @@ export class Requests {
   }
 
   /** Says which keys are held; each frame has a number, by which a pose says that it was taken. */
-  private sendKeys(): number {
+  private sendKeys(): void {
     this.sequence = (this.sequence + 1) >>> 0;
     this.connection.send(encodeInput(this.held, this.sequence));
-    return this.sequence;
   }
 }

@@ -17,7 +17,7 @@ export class Session {
     switch (frame.kind) {
       case "welcome":
         this.welcome = frame;
-        this.clock = new ServerClock(frame.minQuantum);
+        this.clock = new ServerClock(frame.quantum);
         break;
       case "pose":
         this.pose = frame;

@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
 import {
+  encodeAskWalk,
   encodeAutoRun,
   encodeFocusLost,
   encodeGoto,
@@ -29,6 +30,7 @@ describe("frames of the page", () => {
     expect(encodeMouseTurning(true)).toEqual(bytes(samples.mouseTurning.hex));
     expect(encodeAutoRun()).toEqual(bytes(samples.autoRun.hex));
     expect(encodeFocusLost()).toEqual(bytes(samples.focusLost.hex));
+    expect(encodeAskWalk()).toEqual(bytes(samples.askWalk.hex));
     const { cell, position, yaw } = samples.placeAt;
     expect(encodePlaceAt({ cell, x: position[0], y: position[1], z: position[2], yaw })).toEqual(bytes(samples.placeAt.hex));
     expect(encodePlaceAt({ cell, x: position[0], y: position[1], z: null, yaw })).toEqual(bytes(samples.placeOnGround.hex));
@@ -56,6 +58,8 @@ describe("frames of the server", () => {
     expect(decode(bytes(samples.touches.hex))).toEqual({ kind: "touches", touches });
     const part = { ...samples.moving.part, position: vec(samples.moving.part.position) };
     expect(decode(bytes(samples.moving.hex))).toEqual({ kind: "moving", time: samples.moving.time, parts: [part] });
+    const { hex: walkHex, ...walk } = samples.walk;
+    expect(decode(bytes(walkHex))).toEqual({ kind: "walk", ...walk });
     const { hex: eventHex, ...event } = samples.event;
     expect(decode(bytes(eventHex))).toEqual({ kind: "event", ...event });
   });
@@ -69,6 +73,7 @@ describe("frames of the server", () => {
       samples.bodies.hex,
       samples.touches.hex,
       samples.moving.hex,
+      samples.walk.hex,
     ]) {
       const whole = bytes(hex);
       for (let length = 0; length < whole.byteLength; length++) expect(decode(whole.slice(0, length))).toBeNull();

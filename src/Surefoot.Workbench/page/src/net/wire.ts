@@ -1,6 +1,6 @@
 // The frames between this page and the server; `Wire/` in the server's source says the same. All numbers are little-endian.
 
-export const wireVersion = 5;
+export const wireVersion = 6;
 
 export const Key = {
   Forward: 1,
@@ -58,7 +58,8 @@ export interface Welcome extends Settings {
   maxSkill: number;
   maxBurden: number;
   places: number;
-  minQuantum: number;
+  /** Seconds from one tick to the next. */
+  quantum: number;
 }
 
 /**
@@ -90,6 +91,8 @@ export interface OwnPose extends Pose {
   command: number;
   turn: number;
   players: number;
+  /** Counts walks begun, modulo 256. */
+  walks: number;
 }
 
 export interface OtherPose extends Pose {
@@ -167,11 +170,18 @@ export interface PlayerEvent {
   code: number;
 }
 
-export type ServerFrame = Welcome | OwnPose | Others | PlayerEvent | Bodies | Touches | Moving;
+/** What the player did last: a command that does the same, and what was done besides; empty when that is nothing. */
+export interface Walk {
+  kind: "walk";
+  command: string;
+  leftOut: string;
+}
+
+export type ServerFrame = Welcome | OwnPose | Others | PlayerEvent | Bodies | Touches | Moving | Walk;
 
 const lengths = {
   welcome: 30,
-  pose: 102,
+  pose: 103,
   othersHeader: 11,
   other: 52,
   event: 18,
@@ -181,6 +191,7 @@ const lengths = {
   touch: 20,
   movingHeader: 11,
   moving: 40,
+  walkHeader: 9,
 };
 
 /** Reads a frame of the server; null for one this page does not know. */
@@ -202,6 +213,8 @@ export function decode(buffer: ArrayBuffer): ServerFrame | null {
       return buffer.byteLength >= lengths.touchesHeader ? decodeTouches(read) : null;
     case 0x87:
       return buffer.byteLength >= lengths.movingHeader ? decodeMoving(read, buffer.byteLength) : null;
+    case 0x88:
+      return buffer.byteLength >= lengths.walkHeader ? decodeWalk(read) : null;
     default:
       return null;
   }
@@ -219,7 +232,7 @@ function decodeWelcome(read: Reader): Welcome {
     maxSkill: read.u16(),
     maxBurden: read.u32(),
     places: read.u16(),
-    minQuantum: read.f32(),
+    quantum: read.f32(),
   };
 }
 
@@ -246,6 +259,7 @@ function decodePose(read: Reader): OwnPose {
     sidestep: read.f32(),
     turn: read.f32(),
     players: read.u16(),
+    walks: read.u8(),
   };
 }
 
@@ -328,6 +342,13 @@ function decodeMoving(read: Reader, length: number): Moving | null {
 
 function decodeEvent(read: Reader): PlayerEvent {
   return { kind: "event", event: read.u8(), time: read.f64(), value: read.f32(), code: read.u32() };
+}
+
+function decodeWalk(read: Reader): Walk | null {
+  const command = read.u32();
+  const leftOut = read.u32();
+  if (read.left !== command + leftOut) return null;
+  return { kind: "walk", command: read.text(command), leftOut: read.text(leftOut) };
 }
 
 const utf8 = new TextDecoder();
