@@ -15,7 +15,7 @@ internal sealed class SweepWorkers : IDisposable
     internal SweepWorkers(ProbeRun run) => workers = [.. Enumerable.Range(0, run.Bodies.Count).Select(runner => new Worker(run, runner))];
 
     /// <summary>Sweeps in a millisecond, of all these threads together.</summary>
-    /// <returns>Not a number when they did not sweep at the same time, because the machine had no core for one of them.</returns>
+    /// <returns>Not a number when their windows overlap in wall time for less than nine tenths.</returns>
     internal double Measure(params ReadOnlySpan<int> who)
     {
         using Barrier start = new(who.Length);

@@ -55,7 +55,7 @@ internal sealed class SweepRates
 {
     private readonly List<double> ratios = [];
 
-    /// <summary>Turns in which both threads had a core.</summary>
+    /// <summary>Turns in which both threads swept at the same time.</summary>
     internal int Turns => ratios.Count;
 
     /// <summary>By place. The benchmark runs in the process that prints the table.</summary>

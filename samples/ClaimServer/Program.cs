@@ -60,7 +60,7 @@ internal sealed class Claims(Simulation world)
     private const double SpeedTolerance = 1.05, Slack = 0.1, Apart = 0.25;
 
     private readonly WorldQuery query = world.Engine.CreateQuery();
-    private readonly Mover human = new(world.Human, weenie: WeenieTraits.Present | WeenieTraits.Player | WeenieTraits.Creature);
+    private readonly Mover human = Mover.OfBody(world.Human, weenie: WeenieTraits.Present | WeenieTraits.Player | WeenieTraits.Creature);
     private PlaceResult at;
     private double speed, jump;
 

@@ -19,7 +19,7 @@ try
 {
     using Simulation world = Simulation.Open(args.Length > 0 ? args[0] : throw new FormatException("no folder is given"));
     WorldQuery query = world.Engine.CreateQuery();
-    Mover human = new(world.Human, weenie: WeenieTraits.Present | WeenieTraits.Player | WeenieTraits.Creature);
+    Mover human = Mover.OfBody(world.Human, weenie: WeenieTraits.Present | WeenieTraits.Player | WeenieTraits.Creature);
     return args[1..] switch
     {
         ["land", string place] => Land(Find(place)),

@@ -214,7 +214,7 @@ public sealed class PhysicsEngine : ILoadListener
     public SweepResult Resolve(
         SetupAsset setup, in Position from, in Position to, PhysicsState state = PhysicsState.Default,
         WeenieTraits weenie = WeenieTraits.None) =>
-        (own ??= new WorldQuery(population, population.Transitions)).Sweep(new SweepInput(new Mover(setup, state, weenie), from, to));
+        (own ??= new WorldQuery(population, population.Transitions)).Sweep(new SweepInput(Mover.OfBody(setup, state, weenie), from, to));
 
     /// <summary>Work objects for one more thread that asks about this world.</summary>
     public WorldQuery CreateQuery() => new(population, new TransitionPool(population.Cells));

@@ -30,7 +30,7 @@ public sealed class HumanTests(DemoFolder world) : IClassFixture<DemoFolder>
     [InlineData(0x6500000D, 0f, 0f, -1.5f)]
     [InlineData(0x40000015, 0f, 0f, 0f)]
     [Behaviour("demo-world.human.moves-at-retail-speeds", "spec/01, 3 and 4.11")]
-    public void A_cycle_has_retails_velocity(uint motion, float x, float y, float turn)
+    public void A_cycle_has_the_velocity_of_retail(uint motion, float x, float y, float turn)
     {
         var data = Cycle(motion);
         Assert.Equal(new Vector3(x, y, 0), data.Velocity);

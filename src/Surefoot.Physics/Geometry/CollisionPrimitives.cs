@@ -64,24 +64,4 @@ internal static class CollisionPrimitives
         double root = Math.Sqrt(discriminant);
         return b - root < 0 ? (root + b) / a : (b - root) / a;
     }
-
-    /// <summary>
-    /// Does the ray <paramref name="origin"/> + t·<paramref name="direction"/> meet the sphere? False from inside; a sphere behind is met
-    /// at a negative
-    /// <paramref name="time"/>.
-    /// </summary>
-    /// <remarks>Retail: CSphere::sphere_intersects_ray @0x005377A0.</remarks>
-    public static bool SphereIntersectsRay(in Sphere sphere, in Vector3 origin, in Vector3 direction, out double time)
-    {
-        Vector3 offset = origin - sphere.Center;
-        double a = RetailMath.LengthSquared(direction), b = -RetailMath.Dot(offset, direction);
-        double c = RetailMath.LengthSquared(offset) - ((double)sphere.Radius * sphere.Radius);
-        time = 0;
-        if (c <= 0) return false;
-        double discriminant = (b * b) - (c * a);
-        if (a < RetailMath.Epsilon || discriminant < 0) return false;
-        double root = Math.Sqrt(discriminant);
-        time = b <= root ? (root + b) / a : (b - root) / a;
-        return true;
-    }
 }

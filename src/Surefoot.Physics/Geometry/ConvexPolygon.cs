@@ -139,23 +139,6 @@ internal readonly ref struct ConvexPolygon
         return false;
     }
 
-    /// <summary>Is a point of the plane inside the polygon, edges included?</summary>
-    /// <remarks>Retail: CPolygon::point_in_polygon @0x00538D90.</remarks>
-    public bool Contains(in Vector3 point)
-    {
-        if (Corners.IsEmpty) return true;
-        Vector3 previous = Corners[^1];
-        foreach (Vector3 corner in Corners)
-        {
-            Inward(corner - previous, out double mx, out double my, out double mz);
-            if ((((double)point.Z - previous.Z) * mz) + (((double)point.Y - previous.Y) * my) + (((double)point.X - previous.X) * mx) < 0)
-                return false;
-            previous = corner;
-        }
-
-        return true;
-    }
-
     /// <summary>
     /// Rests the sphere on the plane: pulls it back along <paramref name="movement"/> until it is tangent and takes that share off
     /// <paramref name="walkInterp"/>. Refused when the movement does not run into the plane, when the sphere does not reach it, or when
@@ -227,18 +210,6 @@ internal readonly ref struct ConvexPolygon
         float y = (float)(push * n.Y), z = (float)(push * n.Z);
         sphere.Center = new Vector3((float)(sphere.Center.X + x), sphere.Center.Y + y, sphere.Center.Z + z);
         other.Center = new Vector3((float)(other.Center.X + x), other.Center.Y + y, other.Center.Z + z);
-    }
-
-    /// <summary>Does the ray <paramref name="origin"/> + t·<paramref name="direction"/> meet the polygon at t ≥ 0?</summary>
-    /// <param name="origin">Start of the ray.</param>
-    /// <param name="direction">Direction; its length is the unit of <paramref name="time"/>.</param>
-    /// <param name="oneSided">Only rays against the normal count.</param>
-    /// <param name="time">When; may be written also when the polygon is missed.</param>
-    /// <remarks>Retail: CPolygon::polygon_hits_ray @0x005395E0.</remarks>
-    public bool HitsRay(in Vector3 origin, in Vector3 direction, bool oneSided, ref float time)
-    {
-        if (oneSided && RetailMath.Dot(Plane.Normal, direction) > 0) return false;
-        return PlaneQueries.TimeOfIntersection(Plane, origin, direction, ref time) && Contains(origin + RetailMath.Scale(direction, time));
     }
 
     /// <summary>

@@ -45,21 +45,6 @@ internal static class PlaneQueries
         return side;
     }
 
-    /// <summary>
-    /// When the ray <paramref name="origin"/> + t·<paramref name="direction"/> meets the plane. A ray along the plane leaves
-    /// <paramref name="time"/> as it is; otherwise it is written, also when it is negative.
-    /// </summary>
-    /// <returns>True when the plane is met at t ≥ 0.</returns>
-    /// <remarks>Retail: Plane::compute_time_of_intersection @0x00538320.</remarks>
-    public static bool TimeOfIntersection(in Plane plane, in Vector3 origin, in Vector3 direction, ref float time)
-    {
-        double approach = RetailMath.Dot(plane.Normal, direction);
-        if (Math.Abs(approach) < RetailMath.Epsilon) return false;
-        double t = RetailMath.Distance(plane, origin) * (-1.0 / approach);
-        time = (float)t;
-        return t >= 0;
-    }
-
     /// <summary>Puts a point onto the plane by changing its z; false, unchanged, for a vertical plane.</summary>
     /// <remarks>Retail: Plane::set_height @0x0052F050.</remarks>
     public static bool SetHeight(in Plane plane, ref Vector3 point)

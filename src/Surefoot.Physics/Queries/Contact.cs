@@ -1,6 +1,7 @@
 using System.Numerics;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Transitions;
+using Surefoot.Physics.World;
 
 namespace Surefoot.Physics.Queries;
 
@@ -8,7 +9,9 @@ namespace Surefoot.Physics.Queries;
 /// <param name="Plane">
 /// The plane, its normal of unit length and in world axes; the constant, metres, is in the block frame of <paramref name="CellId"/>.
 /// </param>
-/// <param name="CellId">Cell whose block frame the plane is in.</param>
+/// <param name="CellId">
+/// Cell whose block frame the plane is in; 0 when retail no longer knows it, as after a step that was undone (specification 02, 4.11).
+/// </param>
 /// <param name="IsWater">It is water, in which a mover stands lower than its plane.</param>
 public readonly record struct Contact(Plane Plane, uint CellId, bool IsWater = false)
 {
@@ -18,5 +21,9 @@ public readonly record struct Contact(Plane Plane, uint CellId, bool IsWater = f
     internal static Contact? Of(CollisionInfo met) =>
         met.ContactPlaneValid ? new Contact(met.ContactPlane, met.ContactPlaneCellId, met.ContactPlaneIsWater) : null;
 
-    internal void ThrowIfBad(string name) => BodySeat.ThrowIfNoFooting(Plane, CellId, name);
+    internal void ThrowIfBad(string name)
+    {
+        BodySeat.ThrowIfNoFooting(Plane, CellId, name);
+        if (CellId != 0 && !CellIds.IsValid(CellId)) throw new ArgumentException($"0x{CellId:X8}, the contact's, is not on the map.", name);
+    }
 }

@@ -15,25 +15,19 @@ public sealed class Mover
     public const int MaxSpheres = SpherePath.MaxSpheres;
 
     /// <summary>
-    /// A mover of a shape as the files have it. Of more than <see cref="MaxSpheres"/> spheres the first ones count, as for every body of
-    /// that shape.
+    /// A mover of a shape as the files have it. <see cref="OfBody"/> makes one of a shape that has more spheres than a body uses.
     /// </summary>
     /// <param name="setup">The shape; one without spheres is a ball of 0.1 m.</param>
     /// <param name="state">Physics state word: edge sliding, missile, ethereal and so on.</param>
     /// <param name="weenie">What a server says of it: players pass players, and so on.</param>
     /// <param name="scale">Uniform scale, more than 0.</param>
     /// <exception cref="ArgumentException">
-    /// A radius or the scale is not a positive finite number, a sphere's centre is not finite, or a step height is not or is less than 0.
+    /// The shape has more than <see cref="MaxSpheres"/> spheres, a radius or the scale is not a positive finite number, also when they
+    /// are multiplied, a sphere's centre is not finite, or a step height is not or is less than 0.
     /// </exception>
     public Mover(SetupAsset setup, PhysicsState state = PhysicsState.Default, WeenieTraits weenie = WeenieTraits.None, float scale = 1f)
+        : this(setup, state, weenie, scale, MaxSpheres)
     {
-        ArgumentNullException.ThrowIfNull(setup);
-        if (!(scale > 0) || !float.IsFinite(scale)) throw new ArgumentException("The scale is not a positive number.", nameof(scale));
-        foreach (ref readonly Sphere sphere in setup.Spheres[..Math.Min(setup.Spheres.Length, MaxSpheres)])
-            sphere.ThrowIfBad(nameof(setup));
-        if (!IsHeight(setup.StepUpHeight) || !IsHeight(setup.StepDownHeight))
-            throw new ArgumentException("A step height of the shape is not finite, or less than 0.", nameof(setup));
-        Object = new WorldObject(0, setup, state & ~PhysicsState.Static) { Weenie = weenie, Scale = scale };
     }
 
     /// <summary>A mover made up of spheres.</summary>
@@ -49,9 +43,38 @@ public sealed class Mover
     public Mover(
         ReadOnlySpan<Sphere> spheres, float stepUpHeight, float stepDownHeight, PhysicsState state = PhysicsState.Default,
         WeenieTraits weenie = WeenieTraits.None)
-        : this(MakeSetup(spheres, stepUpHeight, stepDownHeight), state, weenie)
+        : this(SetupAsset.OfSpheres(0, spheres, stepUpHeight, stepDownHeight), state, weenie)
     {
     }
+
+    private Mover(SetupAsset setup, PhysicsState state, WeenieTraits weenie, float scale, int mostSpheres)
+    {
+        ArgumentNullException.ThrowIfNull(setup);
+        if (!(scale > 0) || !float.IsFinite(scale)) throw new ArgumentException("The scale is not a positive number.", nameof(scale));
+        if (setup.Spheres.Length > mostSpheres)
+            throw new ArgumentException($"A mover has at most {mostSpheres} spheres, not {setup.Spheres.Length}.", nameof(setup));
+        foreach (ref readonly Sphere sphere in setup.Spheres[..Math.Min(setup.Spheres.Length, MaxSpheres)])
+        {
+            sphere.ThrowIfBad(nameof(setup));
+            new Sphere(sphere.Center * scale, sphere.Radius * scale).ThrowIfBad(nameof(scale));
+        }
+
+        if (!IsHeight(setup.StepUpHeight) || !IsHeight(setup.StepDownHeight))
+            throw new ArgumentException("A step height of the shape is not finite, or less than 0.", nameof(setup));
+        Object = new WorldObject(0, setup, state & ~PhysicsState.Static) { Weenie = weenie, Scale = scale };
+    }
+
+    /// <summary>
+    /// A mover of a shape as a body has it: of more than <see cref="MaxSpheres"/> spheres the first ones count, and the others stop others.
+    /// </summary>
+    /// <param name="setup">The shape.</param>
+    /// <param name="state">Physics state word.</param>
+    /// <param name="weenie">What a server says of it.</param>
+    /// <param name="scale">Uniform scale, more than 0.</param>
+    /// <exception cref="ArgumentException">A number is not as the other constructors want it.</exception>
+    public static Mover OfBody(
+        SetupAsset setup, PhysicsState state = PhysicsState.Default, WeenieTraits weenie = WeenieTraits.None, float scale = 1f) =>
+        new(setup, state, weenie, scale, int.MaxValue);
 
     /// <summary>Its shape.</summary>
     public SetupAsset Setup => Object.Setup!;
@@ -69,11 +92,4 @@ public sealed class Mover
     internal WorldObject Object { get; }
 
     private static bool IsHeight(float height) => height >= 0 && float.IsFinite(height);
-
-    private static SetupAsset MakeSetup(ReadOnlySpan<Sphere> spheres, float stepUpHeight, float stepDownHeight)
-    {
-        if (spheres.Length > MaxSpheres)
-            throw new ArgumentException($"A mover has at most {MaxSpheres} spheres, not {spheres.Length}.", nameof(spheres));
-        return SetupAsset.OfSpheres(0, spheres, stepUpHeight, stepDownHeight);
-    }
 }

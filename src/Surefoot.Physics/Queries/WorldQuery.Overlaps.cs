@@ -18,12 +18,14 @@ public sealed partial class WorldQuery
     /// with. The ethereal count for nothing.
     /// </summary>
     /// <param name="input">The sphere.</param>
-    /// <exception cref="ArgumentException">The sphere is not finite, its radius is not positive, or the id cannot name a cell.</exception>
+    /// <exception cref="ArgumentException">
+    /// The sphere is not finite, its radius is not positive, or the id names no cell of the map.
+    /// </exception>
     public SphereOverlap Overlap(in SphereInput input)
     {
         input.Sphere.ThrowIfBad(nameof(input));
         Position place = new(input.CellId, input.Sphere.Center);
-        PhysicsBody.ThrowIfBad(place, nameof(input));
+        ThrowIfNowhere(place, nameof(input));
         population.Cells.AdjustPosition(ref place, Vector3.Zero, out ObjCell? cell);
         if (cell is null) return new SphereOverlap(false, false, 0, TraceSubject.None);
 
@@ -45,11 +47,11 @@ public sealed partial class WorldQuery
 
     /// <summary>Which cell a point is in, and whether it is inside something solid there: the ground, walls, an object, a body.</summary>
     /// <param name="input">The point.</param>
-    /// <exception cref="ArgumentException">The point is not finite, or the id cannot name a cell.</exception>
+    /// <exception cref="ArgumentException">The point is not finite, or the id names no cell of the map.</exception>
     public PointOverlap Overlap(in PointInput input)
     {
         Position place = new(input.CellId, input.Point);
-        PhysicsBody.ThrowIfBad(place, nameof(input));
+        ThrowIfNowhere(place, nameof(input));
         population.Cells.AdjustPosition(ref place, Vector3.Zero, out ObjCell? cell);
         if (cell is null) return new PointOverlap(false, false, 0, TraceSubject.None);
         TraceSubject subject = SolidAt(cell, place.Frame.Origin, input.Except);

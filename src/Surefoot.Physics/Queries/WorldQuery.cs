@@ -40,14 +40,14 @@ public sealed partial class WorldQuery
     /// <param name="input">Who goes where.</param>
     /// <param name="trace">Is told each decision.</param>
     /// <exception cref="ArgumentException">
-    /// A position, the contact or the wall is not finite, a normal not of unit length, an id cannot name a cell, or the way is longer than
-    /// <see cref="MostSubSteps"/>.
+    /// A position, the contact or the wall is not finite, a normal not of unit length, an id names no cell of the map, or the way is
+    /// longer than <see cref="MostSubSteps"/>.
     /// </exception>
     /// <remarks>Retail: CTransition::find_transitional_position @0x0050BDF0.</remarks>
     public SweepResult Sweep(in SweepInput input, TraceBuffer? trace = null)
     {
         ArgumentNullException.ThrowIfNull(input.Mover, nameof(input));
-        PhysicsBody.ThrowIfBad(input.From, nameof(input));
+        ThrowIfNowhere(input.From, nameof(input));
         input.Contact?.ThrowIfBad(nameof(input));
         if (input.SlidingNormal is { } normal) SweepInput.ThrowIfNoWall(normal, nameof(input));
         Position from = input.From;
@@ -60,7 +60,7 @@ public sealed partial class WorldQuery
     /// <param name="to">Where it wants to go.</param>
     /// <param name="trace">Is told each decision; the body's own <see cref="PhysicsBody.Trace"/> is not.</param>
     /// <exception cref="ArgumentException">
-    /// The body belongs to another engine, the position is not finite or its id cannot name a cell, or the way is longer than
+    /// The body belongs to another engine, the position is not finite or its id names no cell of the map, or the way is longer than
     /// <see cref="MostSubSteps"/>.
     /// </exception>
     public SweepResult Sweep(PhysicsBody body, in Position to, TraceBuffer? trace = null)
@@ -78,25 +78,26 @@ public sealed partial class WorldQuery
     /// <param name="to">Where it wants to go.</param>
     /// <param name="trace">Is told each decision; the body's own <see cref="PhysicsBody.Trace"/> is not.</param>
     /// <exception cref="ArgumentException">
-    /// The body belongs to another engine, a position or a number of the state is not finite, an id cannot name a cell, or the way is
+    /// The body belongs to another engine, a position or a number of the state is not finite, an id names no cell of the map, or the way is
     /// longer than <see cref="MostSubSteps"/>.
     /// </exception>
     public SweepResult Sweep(PhysicsBody body, in BodySeat from, in Position to, TraceBuffer? trace = null)
     {
         population.ThrowIfForeign(body);
         from.ThrowIfBad(nameof(from));
+        ThrowIfNowhere(from.Position, nameof(from));
         return Sweep(body, from, population.Cells.GetVisible(from.Position.CellId), to, trace, nameof(to));
     }
 
     /// <summary>Whether a mover can be put at a place, and where it would be then.</summary>
     /// <param name="input">Who is put where.</param>
     /// <param name="trace">Is told each decision.</param>
-    /// <exception cref="ArgumentException">The position is not finite or its id cannot name a cell.</exception>
+    /// <exception cref="ArgumentException">The position is not finite or its id names no cell of the map.</exception>
     /// <remarks>Retail: CTransition::find_placement_position @0x0050C170.</remarks>
     public PlaceResult Place(in PlaceInput input, TraceBuffer? trace = null)
     {
         ArgumentNullException.ThrowIfNull(input.Mover, nameof(input));
-        PhysicsBody.ThrowIfBad(input.Position, nameof(input));
+        ThrowIfNowhere(input.Position, nameof(input));
         WorldObject mover = input.Mover.Object;
         Position place = input.Position;
         population.Cells.AdjustPosition(ref place, TransitionSeeds.FootOf(mover), out ObjCell? cell);
@@ -122,13 +123,13 @@ public sealed partial class WorldQuery
     /// <param name="input">Who, from where, how far.</param>
     /// <param name="trace">Is told each decision.</param>
     /// <exception cref="ArgumentException">
-    /// The position is not finite or its id cannot name a cell, the depth is not a positive finite number or more than
+    /// The position is not finite or its id names no cell of the map, the depth is not a positive finite number or more than
     /// <see cref="MostSubSteps"/>.
     /// </exception>
     public ProbeDownResult ProbeDown(in ProbeDownInput input, TraceBuffer? trace = null)
     {
         ArgumentNullException.ThrowIfNull(input.Mover, nameof(input));
-        PhysicsBody.ThrowIfBad(input.From, nameof(input));
+        ThrowIfNowhere(input.From, nameof(input));
         if (!(input.Depth > 0) || !float.IsFinite(input.Depth))
             throw new ArgumentException("The depth is not a positive finite number.", nameof(input));
         WorldObject mover = input.Mover.Object;
@@ -170,7 +171,7 @@ public sealed partial class WorldQuery
 
     private SweepResult Sweep(WorldObject mover, in BodySeat from, ObjCell? cell, in Position to, TraceBuffer? trace, string name)
     {
-        PhysicsBody.ThrowIfBad(to, name);
+        ThrowIfNowhere(to, name);
         ThrowIfTooMany(RetailMath.Length(from.Position.OffsetTo(to)) / RadiusOf(mover), name);
         if (cell is null) return SweepResult.NotLoaded(from.Position);
         Transition transition = Rent(trace);
@@ -199,6 +200,13 @@ public sealed partial class WorldQuery
         }
 
         return TraceSubject.None;
+    }
+
+    /// <summary>A place that is asked about is on the map; a body may be told of others, and does not go there.</summary>
+    private static void ThrowIfNowhere(in Position position, string name)
+    {
+        PhysicsBody.ThrowIfBad(position, name);
+        if (!CellIds.IsValid(position.CellId)) throw new ArgumentException($"0x{position.CellId:X8} is not on the map.", name);
     }
 
     private static void ThrowIfTooMany(double subSteps, string name)

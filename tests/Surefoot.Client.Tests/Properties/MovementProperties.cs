@@ -13,7 +13,7 @@ public sealed class MovementProperties(DemoFiles files) : IClassFixture<DemoFile
 {
     [Fact]
     [Behaviour("properties.ends-outside-every-solid", "design.md, decision 1; spec/03, 4.8.3 and 4.9: the placement insert")]
-    public void Any_way_from_a_free_place_ends_outside_every_solid_by_retails_own_test()
+    public void Any_way_from_a_free_place_ends_outside_every_solid_by_the_test_of_retail()
     {
         Trip.Any.Sample(
             trip => Journey.Visit(files, trip, journey =>

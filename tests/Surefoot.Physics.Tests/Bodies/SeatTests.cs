@@ -15,6 +15,8 @@ public sealed class SeatTests
     public static TheoryData<string, BodySeat> Impossible => new()
     {
         { "stands on nothing", Standing with { Transient = TransientState.OnWalkable } },
+        { "stands on half a plane of an unknown block", Standing with { ContactPlane = new(0, 0, 0.5f, 0), ContactPlaneCellId = 0 } },
+        { "stands on no plane", Standing with { ContactPlane = default } },
         { "touches a plane in no block", Standing with { ContactPlaneCellId = 0xA9B40041 } },
         { "touches a plane twice as long", Standing with { ContactPlane = new Plane(0, 0, 2, 0) } },
         { "slides along a normal that is not finite", Standing with { SlidingNormal = new Vector3(float.PositiveInfinity, 0, 0) } },

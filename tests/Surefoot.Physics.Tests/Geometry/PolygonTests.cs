@@ -192,18 +192,6 @@ public class PolygonTests
         Assert.Equal((Half(0, 0, after), Half(0, 0, other)), (sphere, second));
     }
 
-    [Fact, Behaviour("polygon.ray.one-sided", "spec/04, 4.4, CPolygon::polygon_hits_ray @0x005395E0")]
-    public void A_ray_meets_the_front_and_the_back_only_of_a_two_sided_polygon()
-    {
-        float time = 0;
-        Assert.True(Polygon(A1).HitsRay(new(1, 1, 3), new(0, 0, -1), true, ref time));
-        Assert.Equal(3f, time);
-        Assert.False(Polygon(A1).HitsRay(new(1, 1, -3), new(0, 0, 1), true, ref time));
-        Assert.True(Polygon(A1).HitsRay(new(1, 1, -3), new(0, 0, 1), false, ref time));
-        Assert.False(Polygon(A1).HitsRay(new(3, 3, 3), new(0, 0, -1), true, ref time));
-        Assert.False(Polygon(A1).HitsRay(new(1, 1, 3), new(0, 0, 1), false, ref time));
-    }
-
     [Fact, Behaviour("polygon.degenerate.answers-nothing", "spec/04, 4.4: make_plane has no degenerate check")]
     public void A_polygon_of_no_area_is_never_hit_and_never_rested_on()
     {

@@ -25,18 +25,6 @@ public class PrimitiveTests
     public void Time_of_collision_is_positive_when_approaching(float mx, float my, float mz, float x, float y, float z, double time) =>
         Assert.Equal(time, CollisionPrimitives.TimeOfCollision(new(mx, my, mz), new(x, y, z), 1), 8);
 
-    [Theory, Behaviour("sphere.ray", "spec/04, 6.11, CSphere::sphere_intersects_ray @0x005377A0")]
-    [InlineData(-3, 0, 0, 1, 0, 0, true, 2)]
-    [InlineData(3, 0, 0, 1, 0, 0, true, -2)]
-    [InlineData(0, 0.5, -4, 0, 0, 2, true, 1.5669873)]
-    [InlineData(0, 0.5, 0, 0, 0, 2, false, 0)]
-    public void A_ray_meets_a_sphere_from_outside(float x, float y, float z, float dx, float dy, float dz, bool meets, double time)
-    {
-        Assert.Equal(meets,
-            CollisionPrimitives.SphereIntersectsRay(new Sphere(Vector3.Zero, 1), new(x, y, z), new(dx, dy, dz), out double t));
-        Assert.Equal(time, t, 7);
-    }
-
     [Fact, Behaviour("sphere.culling.touching", "spec/04, 4.5, CSphere::intersects @0x005344A0")]
     public void Bounding_spheres_that_touch_or_nearly_touch_intersect()
     {

@@ -1,5 +1,6 @@
 using System.Numerics;
 using Surefoot.Physics.Assets;
+using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Queries;
@@ -168,6 +169,7 @@ public sealed class PlaceQueryTests
         Assert.ThrowsAny<ArgumentException>(() => new Mover([good, new Sphere(Vector3.Zero, bad)], 0.6f, 0.6f));
         Assert.ThrowsAny<ArgumentException>(() => new Mover(new SetupAsset { Spheres = [new Sphere(Vector3.Zero, bad)] }));
         Assert.ThrowsAny<ArgumentException>(() => new Mover(Ask.Ball.Setup, scale: bad));
+        Assert.ThrowsAny<ArgumentException>(() => Mover.OfBody(Ask.Ball.Setup, scale: bad));
         if (bad == 0) return;
         Assert.ThrowsAny<ArgumentException>(() => new Mover([good], bad, 0.6f));
         Assert.ThrowsAny<ArgumentException>(() => new Mover([good], 0.6f, bad));
@@ -178,6 +180,48 @@ public sealed class PlaceQueryTests
     [InlineData(3)]
     public void A_mover_of_no_sphere_or_of_more_than_the_engine_takes_is_refused(int count) => Assert.ThrowsAny<ArgumentException>(
         () => new Mover([.. Enumerable.Repeat(new Sphere(Vector3.Zero, 0.5f), count)], 0.6f, 0.6f));
+
+    [Fact, Behaviour("query.bad-input.spheres-of-a-shape", "design, decision 7; spec/03, 2.4")]
+    public void A_shape_of_more_spheres_than_the_engine_takes_is_a_mover_only_as_a_body_is_one()
+    {
+        Sphere[] spheres = [new(Vector3.Zero, 0.5f), new(Vector3.UnitZ, 0.5f), new(new Vector3(0, 0, 2), float.NaN)];
+        SetupAsset setup = new() { Spheres = spheres };
+        Assert.Equal("setup", Assert.Throws<ArgumentException>(() => new Mover(setup)).ParamName);
+        Assert.Same(setup, Mover.OfBody(setup).Setup);
+        Assert.Equal("setup", Assert.Throws<ArgumentException>(() => Mover.OfBody(new() { Spheres = [spheres[1], spheres[2]] })).ParamName);
+    }
+
+    [Theory, Behaviour("query.bad-input.scaled-radius", "design, decision 7")]
+    [InlineData(1e30f, 1e30f)]
+    [InlineData(1e-30f, 1e-30f)]
+    public void A_mover_whose_scaled_radius_is_no_number_or_zero_is_refused(float radius, float scale) =>
+        Assert.Equal("scale", Assert.Throws<ArgumentException>(
+            () => new Mover(new SetupAsset { Spheres = [new Sphere(Vector3.Zero, radius)] }, scale: scale)).ParamName);
+
+    /// <summary>The last column and the last row of ids hold no land, and neither does the id 0.</summary>
+    [Theory, Behaviour("query.bad-input.off-the-map", "design, decision 7; spec/05, 1.1: inbound_valid_cellid")]
+    [InlineData(0xFF010001u)]
+    [InlineData(0x01FF0001u)]
+    [InlineData(0xFFFF0100u)]
+    [InlineData(0u)]
+    public void A_cell_that_is_not_on_the_map_is_refused_by_every_question(uint id)
+    {
+        WorldQuery query = Ask.Engine(0xA9B40000).CreateQuery();
+        Position here = Ask.At(10, 10, 1), nowhere = Ask.At(10, 10, 1, id);
+        Contact ground = new(new Plane(Vector3.UnitZ, 0), id);
+        PhysicsEngine engine = Ask.Engine(0xA9B40000);
+        PhysicsBody body = engine.CreateBody(1, Ask.Walker.Setup);
+        Assert.ThrowsAny<ArgumentException>(() => query.Sweep(new SweepInput(Ask.Walker, nowhere, here)));
+        Assert.ThrowsAny<ArgumentException>(() => query.Sweep(new SweepInput(Ask.Walker, here, nowhere)));
+        if (id != 0)
+            Assert.ThrowsAny<ArgumentException>(() => query.Sweep(new SweepInput(Ask.Walker, here, here) { Contact = ground }));
+        Assert.ThrowsAny<ArgumentException>(() => engine.CreateQuery().Sweep(body, nowhere));
+        Assert.ThrowsAny<ArgumentException>(() => engine.CreateQuery().Sweep(body, body.CurrentSeat with { Position = nowhere }, here));
+        Assert.ThrowsAny<ArgumentException>(() => query.Place(new PlaceInput(Ask.Walker, nowhere)));
+        Assert.ThrowsAny<ArgumentException>(() => query.ProbeDown(new ProbeDownInput(Ask.Walker, nowhere, 1)));
+        Assert.ThrowsAny<ArgumentException>(() => query.Overlap(new SphereInput(id, new Sphere(Vector3.Zero, 1))));
+        Assert.ThrowsAny<ArgumentException>(() => query.Overlap(new PointInput(id, Vector3.Zero)));
+    }
 
     private static StubWorld Flat() => new(_ => StubWorld.Flat(0));
 

@@ -33,7 +33,7 @@ public class ContactTests
     }
 
     [Fact, Behaviour("geometry.constants.bits", "spec/03, 6.1")]
-    public void Slope_limits_have_retails_bits()
+    public void Slope_limits_have_the_bits_of_retail()
     {
         Assert.Equal(0x3F2A0751u, BitConverter.SingleToUInt32Bits(RetailMath.FloorZ));
         Assert.Equal(0x3DB27EB0u, BitConverter.SingleToUInt32Bits(RetailMath.LandingZ));

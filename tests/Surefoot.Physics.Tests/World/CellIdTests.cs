@@ -103,7 +103,7 @@ public sealed class CellIdTests
     [InlineData(1.8f, 0.2f, 0f, -1.843909)]
     [InlineData(1.8f, 0f, 3f, 2.683282)]
     [InlineData(0.2f, 0f, 0.5f, 0.3)]
-    public void Cylinders_are_apart_by_retails_mixture(float height, float x, float z, double distance)
+    public void Cylinders_are_apart_by_the_mixture_of_retail(float height, float x, float z, double distance)
     {
         Position a = new(0xA9B40001, new Vector3(10, 10, 0)), b = new(0xA9B40001, new Vector3(10 + x, 10, z));
         Assert.Equal(distance, a.CylinderDistance(0.3f, height, b, 0.3f, height), 5e-6);

@@ -34,7 +34,7 @@ public sealed class CellListTests
     [InlineData(0x00000001u, "0.1 0.1", Radius, "00000001")]
     [InlineData(0x00000001u, "-0.3 5|5 5", Radius, "")]
     [InlineData(0x00000001u, "5 5|-0.3 5", Radius, "00000001")]
-    public void Spheres_reach_land_cells_in_retails_order(uint id, string centers, float radius, string cells)
+    public void Spheres_reach_land_cells_in_the_order_of_retail(uint id, string centers, float radius, string cells)
     {
         CellArray array = new();
         OutdoorCells.AddAll(new PhysicsWorld(), new Position(id, Vector3.Zero), Spheres(centers, radius), array);

@@ -14,7 +14,7 @@ public sealed class SceneryTests(FirstWorld files) : IClassFixture<FirstWorld>
     [InlineData(1355, 1444, 0, .076810571, .897205804, .637407001, .937552771, .969455623, .429462582, .689885244)]
     [InlineData(1360, 1447, 2, .885931295, .070452728, .633239498, .272412302, .981127624, .829565663, .340420618)]
     [InlineData(2039, 2039, 3, .783766761, .507952111, .643145443, .095586649, .437324104, .604982624, .662102799)]
-    public void Every_question_about_a_tree_has_retails_answer(
+    public void Every_question_about_a_tree_has_the_answer_of_retail(
         uint x, uint y, uint k, double pick, double frequency, double shiftX, double shiftY, double quadrant, double rotation, double scale)
     {
         Assert.Equal(pick, Scenery.SceneShare(x, y), 1e-9);

@@ -83,7 +83,7 @@ public sealed class TerrainTests
         "-0.611944199,-0.734333098,0.293733239,226.174591")]
     [InlineData(0xC6A90000u, 2, 2, "0,2,2,44", "-0.0413096175,-0.867502034,0.495715439,43.6229591",
         "-0.867502034,-0.0413096212,0.495715439,43.6229591")]
-    public void Both_triangles_of_a_cell_have_retails_planes(uint block, int i, int j, string corners, string first, string second)
+    public void Both_triangles_of_a_cell_have_the_planes_of_retail(uint block, int i, int j, string corners, string first, string second)
     {
         TerrainSurface terrain = Ground.WithCell(block, i, j, Ground.Numbers(corners));
         int triangle = 2 * ((8 * i) + j);

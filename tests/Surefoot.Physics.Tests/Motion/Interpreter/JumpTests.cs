@@ -32,7 +32,7 @@ public class JumpTests
 
     [Fact]
     [Behaviour("motion.leave-ground.keeps-what-the-body-has", "spec/01, 4.12; CMotionInterp::LeaveGround @0x00528B00")]
-    public void Standing_off_an_edge_keeps_the_bodys_own_velocity()
+    public void Standing_off_an_edge_keeps_the_velocity_of_the_body()
     {
         (FakeBody body, _) = FakeBody.Standing(FakeBody.Player());
         body.LocalVelocity = new Vector3(1, 2, 3);

@@ -8,7 +8,7 @@ public class MotionStateTests
 
     [Fact]
     [Behaviour("motion.parameters.defaults", "spec/01, 2.4; MovementParameters @0x00524380")]
-    public void Parameters_begin_with_retails_defaults()
+    public void Parameters_begin_with_the_defaults_of_retail()
     {
         MovementParameters p = new();
         Assert.Equal(0x1EE0Fu, (uint)p.Flags);
