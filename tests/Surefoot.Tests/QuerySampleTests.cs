@@ -19,7 +19,7 @@ public sealed class QuerySampleTests(DemoFolder demo) : IClassFixture<DemoFolder
         up.Frame.Origin.Z += 5;
         ahead.Frame.Origin += 2 * here.Frame.YAxis;
         var query = world.Engine.CreateQuery();             // one for each thread that asks
-        var human = new Mover(world.Human);                 // made once, asked about often
+        var human = Mover.OfBody(world.Human);              // made once, asked about often
 
         ProbeDownResult below = query.ProbeDown(new ProbeDownInput(human, up, Depth: 10));
         SweepResult walk = query.Sweep(new SweepInput(human, below.Position, ahead) { Contact = below.Contact });

@@ -41,7 +41,7 @@ public sealed class QueryInputTests
         WorldQuery query = Ask.Engine(0xA9B40000).CreateQuery();
         Contact ground = new(new Plane(Vector3.UnitZ, 0), 0);
         Assert.True(query.Sweep(new SweepInput(Ask.Walker, Ask.At(10, 10, 0), Ask.At(10, 11, 0)) { Contact = ground }) is
-            { Found: true, Contact: { IsWalkable: true } });
+        { Found: true, Contact: { IsWalkable: true } });
     }
 
     [Fact, Behaviour("query.sliding-normal.of-unit-length", "design, decision 7")]
