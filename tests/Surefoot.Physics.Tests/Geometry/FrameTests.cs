@@ -1,4 +1,5 @@
 using System.Numerics;
+using CsCheck;
 using Surefoot.Physics.Geometry;
 
 namespace Surefoot.Physics.Tests.Geometry;
@@ -50,6 +51,40 @@ public class FrameTests
         Frame frame = new(new Vector3(110.5f, 188.4f, 194.5f), new Quaternion(0, 0.6f, 0, 0.8f));
         Assert.Equal(new Vector3(168.953598f, -0.5f, -50.9447899f), frame.GlobalToLocal(new Vector3(108.9f, 187.9f, 18.04f)));
     }
+
+    /// <summary>Any orientation: a right-handed set of unit axes, and points go out and come back.</summary>
+    [Fact, Behaviour("geometry.frame.axes", "spec/03, 4.1.4: localtoglobal, globaltolocal and the matrix")]
+    public void The_axes_of_a_frame_are_right_handed_and_points_come_back() =>
+        Gen.Select(Part, Part, Part, Part, Part, Part, Part).Sample(
+            (x, y, z, w, a, b, c) =>
+            {
+                Frame frame = new(new Vector3(a, b, c), Quaternion.Identity);
+                if ((x * x) + (y * y) + (z * z) + (w * w) < 0.01f || !frame.SetRotation(new(x, y, z, w))) return;
+                AssertNear(frame.ZAxis, Vector3.Cross(frame.XAxis, frame.YAxis), 1e-5f);
+                AssertNear(Vector3.Transform(Vector3.UnitZ, frame.Rotation), frame.ZAxis, 1e-5f);
+                Vector3 point = new(c, a, b);
+                AssertNear(point, frame.LocalToGlobal(frame.GlobalToLocal(point)), 1e-4f);
+                AssertNear(point, frame.LocalToGlobalVector(frame.GlobalToLocalVector(point)), 1e-4f);
+                AssertNear(Vector3.Transform(point, frame.Rotation) + frame.Origin, frame.LocalToGlobal(point), 1e-4f);
+            },
+            iter: Fuzz.Cases(500));
+
+    [Theory, Behaviour("geometry.frame.valid", "spec/03, 4.1.4, Frame::IsValid @0x00534ED0: no NaN, |q|² within 5 EPS of 1")]
+    [InlineData(0f, 0f, 0f, 1f, true)]
+    [InlineData(float.NaN, 0f, 0f, 1f, false)]
+    [InlineData(0f, float.NaN, 0f, 1f, false)]
+    [InlineData(0f, 0f, float.NaN, 1f, false)]
+    [InlineData(0f, 0f, 0f, 1.0009f, true)]
+    [InlineData(0f, 0f, 0f, 1.0011f, false)]
+    [InlineData(0f, 0f, 0f, 0.9991f, true)]
+    [InlineData(0f, 0f, 0f, 0.9989f, false)]
+    public void A_frame_has_numbers_for_an_origin_and_nearly_a_unit_quaternion(float x, float y, float z, float squared, bool valid) =>
+        Assert.Equal(valid, new Frame(new Vector3(x, y, z), new(0, 0, 0, MathF.Sqrt(squared))).IsValid);
+
+    private static readonly Gen<float> Part = Gen.Float[-1f, 1f];
+
+    private static void AssertNear(Vector3 expected, Vector3 actual, float within) =>
+        Assert.True(Vector3.Distance(expected, actual) < within, $"{actual}, expected {expected}");
 
     private static void AssertNear(Vector3 expected, Vector3 actual) =>
         Assert.True(Vector3.Distance(expected, actual) < 1e-6f, $"{actual}, expected {expected}");

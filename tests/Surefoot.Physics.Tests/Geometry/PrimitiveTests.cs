@@ -17,6 +17,7 @@ public class PrimitiveTests
     [Theory, Behaviour("sphere.collision.time", "spec/04, 6.11, CSphere::find_time_of_collision @0x005368F0")]
     [InlineData(2, 0, 0, -2, 0, 0, 0.5)]
     [InlineData(2, 0, 0, -2, 0.5, 0, 0.566987298)]
+    [InlineData(2, 0, 0, -2, 1, 0, 1)]
     [InlineData(2, 0, 0, -2, 1.1, 0, -1)]
     [InlineData(2, 0, 0, -0.5, 0, 0, -1)]
     [InlineData(-2, 0, 0, -2, 0, 0, -0.5)]
@@ -32,6 +33,17 @@ public class PrimitiveTests
         // The gap g is allowed while (2 + g)² − 4 < 0.0002.
         Assert.True(CollisionPrimitives.SpheresIntersect(new(Vector3.Zero, 1), new(new(2.00004f, 0, 0), 1)));
         Assert.False(CollisionPrimitives.SpheresIntersect(new(Vector3.Zero, 1), new(new(2.00006f, 0, 0), 1)));
+    }
+
+    /// <summary>Centres (3, 4, 12) apart, which is 13 m.</summary>
+    [Theory, Behaviour("sphere.culling.distance", "spec/04, 4.5, CSphere::intersects @0x005344A0")]
+    [InlineData(7f, true)]
+    [InlineData(6f, false)]
+    public void Bounding_spheres_are_compared_by_the_distance_of_their_centres(float radius, bool intersect)
+    {
+        Sphere a = new(new Vector3(1, 2, 4), 6), b = new(new Vector3(4, 6, 16), radius);
+        Assert.Equal(intersect, CollisionPrimitives.SpheresIntersect(a, b));
+        Assert.Equal(intersect, CollisionPrimitives.SpheresIntersect(b, a));
     }
 
     [Fact, Behaviour("plane.side", "spec/04, 4.2, Plane::which_side @0x00444720")]
@@ -61,6 +73,11 @@ public class PrimitiveTests
         Assert.True(PlaneQueries.SetHeight(new Plane(0, 0.6f, 0.8f, 0), ref point));
         Assert.Equal(-1.5f, point.Z, 6);
         Assert.False(PlaneQueries.SetHeight(new Plane(1, 0, 0, 0), ref point));
+        point = new(2, 4, 9);
+        Assert.True(PlaneQueries.SetHeight(new Plane(0.5f, 0.25f, 0.5f, 1), ref point));
+        Assert.Equal(new Vector3(2, 4, -6), point);
+        Assert.False(PlaneQueries.SetHeight(new Plane(1, 0, RetailMath.Epsilon, 1), ref point));
+        Assert.Equal(new Vector3(2, 4, -6), point);
     }
 
     [Fact, Behaviour("box.adjust", "spec/04, 4.10, BBox::AdjustBBox @0x00534150")]
@@ -73,6 +90,44 @@ public class PrimitiveTests
         box.Include(new(float.NaN, float.NaN, 4));
         Assert.Equal(new BoundingBox(new(-1, -2, 3), new(1, 5, 4)), box);
     }
+
+    [Fact, Behaviour("box.empty", "spec/04, 4.10, BBox::InitForAdjustment @0x005B1DF0")]
+    public void A_box_is_empty_when_any_of_its_sides_runs_backward()
+    {
+        Assert.False(new BoundingBox(Vector3.One, Vector3.One).IsEmpty);
+        foreach (Vector3 axis in (Vector3[])[Vector3.UnitX, Vector3.UnitY, Vector3.UnitZ])
+            Assert.True(new BoundingBox(Vector3.One, Vector3.One - axis).IsEmpty);
+    }
+
+    [Fact, Behaviour("box.corners", "spec/04, 4.2, Plane::intersect_box: all eight corners")]
+    public void A_box_has_eight_corners_by_the_bits_of_their_index()
+    {
+        BoundingBox box = new(new(1, 2, 3), new(5, 6, 7));
+        Assert.Equal(
+            [new(1, 2, 3), new(5, 2, 3), new(1, 6, 3), new(5, 6, 3), new(1, 2, 7), new(5, 2, 7), new(1, 6, 7), new(5, 6, 7)],
+            Enumerable.Range(0, 8).Select(i => box.Corner(i)));
+    }
+
+    [Fact, Behaviour("geometry.normalize.small", "spec/04, 4.2, normalize_check_small @0x00452460: length < EPS is small")]
+    public void A_vector_exactly_as_long_as_the_tolerance_has_a_direction()
+    {
+        Vector3 v = new(0, RetailMath.Epsilon, 0);
+        Assert.False(RetailMath.NormalizeCheckSmall(ref v));
+        Assert.Equal(Vector3.UnitY, v);
+        v = new(0, MathF.BitDecrement(RetailMath.Epsilon), 0);
+        Assert.True(RetailMath.NormalizeCheckSmall(ref v));
+    }
+
+    [Theory, Behaviour("cylinder.beside", "spec/04, 4.9, CCylSphere::collides_with_sphere @0x0053A880")]
+    [InlineData(3f, 4f, 0.5f, 5f, true)]
+    [InlineData(3f, 4f, 0.5f, 4f, false)]
+    [InlineData(0f, 0f, 1.4997f, 1f, true)]
+    [InlineData(0f, 0f, 1.4999f, 1f, false)]
+    [InlineData(0f, 0f, -0.4997f, 1f, true)]
+    [InlineData(0f, 0f, -0.4999f, 1f, false)]
+    public void A_sphere_that_touches_a_cylinder_s_side_collides_and_above_and_below_the_tolerance_counts(
+        float x, float y, float z, float radiusSum, bool collides) =>
+        Assert.Equal(collides, CollisionPrimitives.CylinderCollidesWithSphere(0.5f, new(x, y, z), radiusSum, 1));
 
     [Fact, Behaviour("cylinder.rim.square", "spec/04, 4.9, CCylSphere::collides_with_sphere @0x0053A880")]
     public void A_cylinder_has_square_rims()
