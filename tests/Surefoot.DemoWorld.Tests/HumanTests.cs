@@ -6,7 +6,7 @@ namespace Surefoot.DemoWorld.Tests;
 
 public sealed class HumanTests(DemoFolder world) : IClassFixture<DemoFolder>
 {
-    private const uint NonCombat = 0x8000003D;
+    private const uint NonCombat = 0x8000003D, HandCombat = 0x8000003C, Ready = 0x41000003, Wave = 0x13000087, Attack = 0x10000063;
 
     private MotionTable Table => world.Dats.Read<MotionTable>(DemoIds.HumanMotionTable);
 
@@ -32,28 +32,34 @@ public sealed class HumanTests(DemoFolder world) : IClassFixture<DemoFolder>
     [Behaviour("demo-world.human.moves-at-retail-speeds", "spec/01, 3 and 4.11")]
     public void A_cycle_has_the_velocity_of_retail(uint motion, float x, float y, float turn)
     {
-        var data = Cycle(motion);
-        Assert.Equal(new Vector3(x, y, 0), data.Velocity);
-        Assert.Equal(new Vector3(0, 0, turn), data.Omega);
-        var animation = Assert.Single(data.Animations);
-        Assert.Equal(30f, animation.FramesPerSecond);
-        Assert.Equal((0, -1), (animation.LowFrame, animation.HighFrame));
+        foreach (uint style in new[] { NonCombat, HandCombat })
+        {
+            var data = Cycle(motion, style);
+            Assert.Equal(new Vector3(x, y, 0), data.Velocity);
+            Assert.Equal(new Vector3(0, 0, turn), data.Omega);
+            var animation = Assert.Single(data.Animations);
+            Assert.Equal(30f, animation.FramesPerSecond);
+            Assert.Equal((0, -1), (animation.LowFrame, animation.HighFrame));
+        }
     }
 
     [Fact, Behaviour("demo-world.human.turns-and-sidesteps-while-moving", "spec/01b, 2")]
     public void Turning_and_sidestepping_are_cycles_from_ready_and_modifiers_otherwise()
     {
-        foreach (uint motion in new[] { 0x6500000Du, 0x6500000Fu })
+        foreach (uint style in new[] { NonCombat, HandCombat })
         {
-            Assert.Equal(2, Cycle(motion).Bitfield);
-            var modifier = Assert.Single(Table.Modifiers, entry => entry.Key == MotionTable.KeyOf(NonCombat, motion)).Data;
-            Assert.Equal((Cycle(motion).Velocity, Cycle(motion).Omega), (modifier.Velocity, modifier.Omega));
-            Assert.Empty(modifier.Animations);
-        }
+            foreach (uint motion in new[] { 0x6500000Du, 0x6500000Fu })
+            {
+                Assert.Equal(2, Cycle(motion, style).Bitfield);
+                var modifier = Assert.Single(Table.Modifiers, entry => entry.Key == MotionTable.KeyOf(style, motion)).Data;
+                Assert.Equal((Cycle(motion).Velocity, Cycle(motion).Omega), (modifier.Velocity, modifier.Omega));
+                Assert.Empty(modifier.Animations);
+            }
 
-        // Rule 4 takes modifiers only on cycles without bit 1.
-        foreach (uint motion in new[] { 0x45000005u, 0x44000007u, 0x40000015u, 0x6500000Du, 0x6500000Fu })
-            Assert.Equal(0, Cycle(motion).Bitfield & 1);
+            // Rule 4 takes modifiers only on cycles without bit 1.
+            foreach (uint motion in new[] { 0x45000005u, 0x44000007u, 0x40000015u, 0x6500000Du, 0x6500000Fu })
+                Assert.Equal(0, Cycle(motion, style).Bitfield & 1);
+        }
     }
 
     [Fact, Behaviour("demo-world.human.has-every-substate", "spec/01, 2.1")]
@@ -68,14 +74,16 @@ public sealed class HumanTests(DemoFolder world) : IClassFixture<DemoFolder>
         foreach (uint motion in new[] { 0x45000006u, 0x6500000Eu, 0x65000010u })
             Assert.DoesNotContain(Table.Cycles.Concat(Table.Modifiers), entry => entry.Key == MotionTable.KeyOf(NonCombat, motion));
         Assert.Equal(NonCombat, Table.DefaultStyle);
-        Assert.Equal([new MotionStyle(NonCombat, 0x41000003)], Table.Styles);
+        Assert.Equal([new MotionStyle(NonCombat, Ready), new MotionStyle(HandCombat, Ready)], Table.Styles);
     }
 
     [Fact, Behaviour("demo-world.human.links-are-short", "spec/01b, 2")]
     public void Links_between_gaits_play_at_30_frames_a_second_and_end_within_a_fifth_of_a_second()
     {
         uint[] gaits = [0x41000003, 0x45000005, 0x44000007];
-        foreach (var link in Table.Links.Where(link => gaits.Any(gait => link.Key == MotionTable.KeyOf(NonCombat, gait))))
+        uint[] keys = [.. gaits.SelectMany(gait => new[] { MotionTable.KeyOf(NonCombat, gait), MotionTable.KeyOf(HandCombat, gait) })];
+        Assert.All(keys, key => Assert.Contains(Table.Links, link => link.Key == key));
+        foreach (var link in Table.Links.Where(link => keys.Contains(link.Key)))
         {
             foreach (var target in link.Targets.Where(target => gaits.Contains(target.Key)))
             {
@@ -106,5 +114,50 @@ public sealed class HumanTests(DemoFolder world) : IClassFixture<DemoFolder>
         }
     }
 
-    private MotionData Cycle(uint motion) => Assert.Single(Table.Cycles, entry => entry.Key == MotionTable.KeyOf(NonCombat, motion)).Data;
+    [Fact, Behaviour("demo-world.human.stance-with-links", "spec/01b, 2, rule 1: the links of a style")]
+    public void Fists_go_up_and_down_over_links_and_strike_and_wave_are_actions_from_standing()
+    {
+        Assert.NotEmpty(Link(NonCombat, Ready, HandCombat).Animations);
+        Assert.NotEmpty(Link(HandCombat, Ready, NonCombat).Animations);
+        Assert.NotEmpty(Link(HandCombat, Ready, Attack).Animations);
+        Assert.NotEmpty(Link(NonCombat, Ready, Wave).Animations);
+        Assert.DoesNotContain(Table.Links, link => link.Key == MotionTable.KeyOf(HandCombat, Ready) &&
+            link.Targets.Any(target => target.Key == Wave));
+    }
+
+    [Fact, Behaviour("demo-world.human.waves-with-the-right", "spec/07, 7.7: part frames")]
+    public void In_the_middle_of_a_wave_the_right_hand_is_over_the_head_and_goes_from_side_to_side()
+    {
+        var frames = world.Dats.Read<Animation>(Assert.Single(Link(NonCombat, Ready, Wave).Animations).AnimationId).Frames;
+        const int head = 2, rightForearm = 4;
+        Vector3[] hand = [.. frames[12..38].Select(frame => frame.Parts[rightForearm])
+            .Select(part => part.Origin + Vector3.Transform(new(0, 0, -0.42f), part.Rotation))];
+        Assert.All(hand, at => Assert.True(at.Z > frames[12].Parts[head].Origin.Z + 0.1f, $"the hand is at {at}"));
+        Assert.True(hand.Max(at => at.X) - hand.Min(at => at.X) > 0.2f);
+    }
+
+    [Fact, Behaviour("demo-world.human.postures-are-low", "spec/07, 7.7: part frames")]
+    public void Who_crouches_sits_or_sleeps_is_lower_than_who_stands_and_breathes()
+    {
+        float standing = HeadOf(Ready).Max();
+        (uint Posture, float Share)[] postures = [(0x41000012, 0.8f), (0x41000013, 0.6f), (0x41000014, 0.3f)];
+        foreach (var (posture, share) in postures)
+        {
+            float[] heads = HeadOf(posture);
+            Assert.InRange(heads.Max(), 0, share * standing);
+            Assert.True(heads.Length > 30 && heads.Distinct().Count() > 10);
+        }
+
+        float[] HeadOf(uint motion)
+            => [.. world.Dats.Read<Animation>(Cycle(motion).Animations[0].AnimationId).Frames.Select(frame => frame.Parts[2].Origin.Z)];
+    }
+
+    private MotionData Cycle(uint motion, uint style = NonCombat)
+        => Assert.Single(Table.Cycles, entry => entry.Key == MotionTable.KeyOf(style, motion)).Data;
+
+    private MotionData Link(uint style, uint from, uint to)
+    {
+        var links = Assert.Single(Table.Links, link => link.Key == MotionTable.KeyOf(style, from));
+        return Assert.Single(links.Targets, target => target.Key == to).Data;
+    }
 }

@@ -1,28 +1,28 @@
 namespace Surefoot.DemoWorld.Human;
 
 /// <summary>How a human stands and moves: each function gives the pose at a phase of its cycle, 0 to 1.</summary>
-internal static class HumanPoses
+internal static partial class HumanPoses
 {
     /// <summary>Standing, breathing.</summary>
     public static HumanPose Ready(double phase)
     {
-        double breath = Wave(phase);
+        double breath = Sine(phase);
         return new() { Lean = 1 + breath, RightShoulder = 2 + breath, LeftShoulder = 2 + breath, Elbows = 12, ArmSpread = 6, Spread = 2 };
     }
 
     /// <summary>Walking: two steps a cycle.</summary>
     public static HumanPose Walk(double phase)
     {
-        double swing = Wave(phase);
+        double swing = Sine(phase);
         return new()
         {
-            Rise = -0.03 + (0.02 * Wave((2 * phase) + 0.25)),
+            Rise = -0.03 + (0.02 * Sine((2 * phase) + 0.25)),
             Lean = 4,
             Twist = 6 * swing,
             RightHip = 4 + (28 * swing),
             LeftHip = 4 - (28 * swing),
-            RightKnee = 10 + (22 * Math.Max(0, Wave(phase + 0.2))),
-            LeftKnee = 10 + (22 * Math.Max(0, Wave(phase + 0.7))),
+            RightKnee = 10 + (22 * Math.Max(0, Sine(phase + 0.2))),
+            LeftKnee = 10 + (22 * Math.Max(0, Sine(phase + 0.7))),
             RightShoulder = -24 * swing,
             LeftShoulder = 24 * swing,
             Elbows = 22,
@@ -33,16 +33,16 @@ internal static class HumanPoses
     /// <summary>Running: two steps a cycle.</summary>
     public static HumanPose Run(double phase)
     {
-        double swing = Wave(phase);
+        double swing = Sine(phase);
         return new()
         {
-            Rise = -0.05 + (0.05 * Wave((2 * phase) + 0.25)),
+            Rise = -0.05 + (0.05 * Sine((2 * phase) + 0.25)),
             Lean = 14,
             Twist = 10 * swing,
             RightHip = 12 + (44 * swing),
             LeftHip = 12 - (44 * swing),
-            RightKnee = 28 + (55 * Math.Max(0, Wave(phase + 0.2))),
-            LeftKnee = 28 + (55 * Math.Max(0, Wave(phase + 0.7))),
+            RightKnee = 28 + (55 * Math.Max(0, Sine(phase + 0.2))),
+            LeftKnee = 28 + (55 * Math.Max(0, Sine(phase + 0.7))),
             RightShoulder = -46 * swing,
             LeftShoulder = 46 * swing,
             Elbows = 75,
@@ -53,10 +53,10 @@ internal static class HumanPoses
     /// <summary>Stepping to the right.</summary>
     public static HumanPose SideStep(double phase)
     {
-        double swing = Wave(phase);
+        double swing = Sine(phase);
         return Ready(0) with
         {
-            Rise = -0.03 - (0.02 * Wave((2 * phase) + 0.25)),
+            Rise = -0.03 - (0.02 * Sine((2 * phase) + 0.25)),
             Spread = 8 + (8 * swing),
             RightKnee = 8 + (14 * Math.Max(0, swing)),
             LeftKnee = 8 + (14 * Math.Max(0, -swing)),
@@ -69,7 +69,7 @@ internal static class HumanPoses
     /// <summary>Turning on the spot: small steps.</summary>
     public static HumanPose Turn(double phase)
     {
-        double swing = Wave(phase);
+        double swing = Sine(phase);
         return Ready(0) with
         {
             Rise = -0.01,
@@ -84,7 +84,7 @@ internal static class HumanPoses
     /// <summary>In the air.</summary>
     public static HumanPose Falling(double phase)
     {
-        double flutter = Wave(phase);
+        double flutter = Sine(phase);
         return new()
         {
             Lean = 8,
@@ -107,11 +107,11 @@ internal static class HumanPoses
     public static HumanPose Fallen() => new() { Rise = -0.81, Fall = 90, ArmSpread = 40, Spread = 8 };
 
     /// <summary>Down on the heels.</summary>
-    public static HumanPose Crouch()
+    public static HumanPose Crouch(double phase)
         => new()
         {
             Rise = -0.42,
-            Lean = 25,
+            Lean = 25 + Sine(phase),
             RightHip = 85,
             LeftHip = 75,
             RightKnee = 118,
@@ -123,11 +123,11 @@ internal static class HumanPoses
         };
 
     /// <summary>Sitting on the ground.</summary>
-    public static HumanPose Sitting()
+    public static HumanPose Sitting(double phase)
         => new()
         {
             Rise = -0.85,
-            Lean = -8,
+            Lean = -8 + Sine(phase),
             RightHip = 92,
             LeftHip = 92,
             RightKnee = 12,
@@ -139,11 +139,12 @@ internal static class HumanPoses
         };
 
     /// <summary>Lying on the back, at ease.</summary>
-    public static HumanPose Sleeping()
+    public static HumanPose Sleeping(double phase)
         => new()
         {
             Rise = -0.83,
             Fall = -90,
+            Lean = 1.5 + (1.5 * Sine(phase)),
             RightHip = 25,
             RightKnee = 50,
             RightShoulder = 20,
@@ -152,5 +153,5 @@ internal static class HumanPoses
             ArmSpread = 20,
         };
 
-    private static double Wave(double phase) => Math.Sin(phase * 2 * Math.PI);
+    private static double Sine(double phase) => Math.Sin(phase * 2 * Math.PI);
 }

@@ -1,5 +1,5 @@
 using Surefoot.Dats.Records;
-using Surefoot.DemoWorld.Human;
+using Surefoot.DemoWorld.Motions;
 using Surefoot.DemoWorld.Records;
 using Surefoot.DemoWorld.Shapes;
 

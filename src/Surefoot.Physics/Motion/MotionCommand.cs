@@ -1,8 +1,8 @@
 namespace Surefoot.Physics.Motion;
 
 /// <summary>
-/// A motion as the wire and the motion tables name it. Only those that locomotion looks at have names here; every other 32-bit id is as
-/// valid. The high bits say what kind it is (<see cref="MotionCommands"/>).
+/// A motion as the wire and the motion tables name it. Those that locomotion looks at have names here, and an emote and a stance to try
+/// tables with; every other 32-bit id is as valid. The high bits say what kind it is (<see cref="MotionCommands"/>).
 /// </summary>
 /// <remarks>Specification 01, 2.1.</remarks>
 public enum MotionCommand : uint
@@ -51,6 +51,12 @@ public enum MotionCommand : uint
 
     /// <summary>Falling.</summary>
     Falling = 0x40000015,
+
+    /// <summary>An emote: waving, once.</summary>
+    Wave = 0x13000087,
+
+    /// <summary>The style of bare fists.</summary>
+    HandCombat = 0x8000003C,
 
     /// <summary>The peaceful style.</summary>
     NonCombat = 0x8000003D,

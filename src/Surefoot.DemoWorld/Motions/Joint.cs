@@ -1,7 +1,7 @@
 using System.Numerics;
 using Surefoot.Dats.Records;
 
-namespace Surefoot.DemoWorld.Human;
+namespace Surefoot.DemoWorld.Motions;
 
 /// <summary>A place and a rotation in double precision, so that poses come out the same on every machine.</summary>
 /// <remarks>The vector types of the platform may fuse multiplications and additions, differently from machine to machine.</remarks>
