@@ -1,6 +1,7 @@
 using Surefoot.Dats;
 using Surefoot.Dats.Records;
 using Surefoot.DemoWorld.Buildings;
+using Surefoot.DemoWorld.Creatures;
 using Surefoot.DemoWorld.Human;
 using Surefoot.DemoWorld.Placement;
 using Surefoot.DemoWorld.Records;
@@ -46,7 +47,8 @@ public static class DemoWorldBuilder
 
     private static IEnumerable<DatRecord> PortalRecords() =>
     [
-        RegionRecords.Region(), .. Surfaces.All(), .. HumanBody.All(), .. HumanMotions.All(), .. Creatures.All(), .. NatureShapes.All(),
+        RegionRecords.Region(), .. Surfaces.All(), .. HumanBody.All(), .. HumanMotions.All(), .. Hound.All(), .. Behemoth.All(),
+        .. Door.All(), .. Arrow.All(), .. NatureShapes.All(),
         .. ObstacleShapes.All(),
         .. Windmill.All(), House.Shell(), House.Interior.Environment(), Dungeon.Interior.Environment(),
     ];

@@ -183,6 +183,19 @@ public sealed class ShapesTests(DemoFolder world) : IClassFixture<DemoFolder>
         Assert.All(spawns, spawn => Assert.NotEmpty(world.Dats.Read<Setup>(spawn.SetupId).PartIds));
     }
 
+    [Fact, Behaviour("demo-world.spawns.beside-edges", "spec/05, 4.18: on the line between two cells a body may be said to be in either")]
+    public void Nobody_is_spawned_on_the_line_between_two_squares_of_land()
+    {
+        foreach (var origin in DemoSpawns.All.Select(spawn => spawn.Origin).Concat(DemoShooters.All.Select(shooter => shooter.Origin)))
+        {
+            Assert.True(MathF.Abs(origin.X - (24 * MathF.Round(origin.X / 24))) > 0.009f, $"{origin}");
+            Assert.True(MathF.Abs(origin.Y - (24 * MathF.Round(origin.Y / 24))) > 0.009f, $"{origin}");
+        }
+
+        // The crowd's west side would be on a block's border.
+        Assert.Equal(0.01f, DemoSpawns.All.Single(spawn => spawn.Name == "crowd-1").Origin.X, 1e-5f);
+    }
+
     // Of a setup the parts that stand where it stands; those that an animation moves are nowhere for long.
     private IEnumerable<uint> PartsOf(uint id)
     {

@@ -23,6 +23,8 @@ internal sealed class WorldPlan
     private readonly ImmutableArray<NamedPlace>.Builder places = ImmutableArray.CreateBuilder<NamedPlace>();
     private readonly ImmutableArray<DemoSpawn>.Builder spawns = ImmutableArray.CreateBuilder<DemoSpawn>();
 
+    private readonly ImmutableArray<DemoShooter>.Builder shooters = ImmutableArray.CreateBuilder<DemoShooter>();
+
     private WorldPlan(DemoTerrain terrain) => Terrain = terrain;
 
     public DemoTerrain Terrain { get; }
@@ -30,6 +32,8 @@ internal sealed class WorldPlan
     public ImmutableArray<NamedPlace> Places => places.ToImmutable();
 
     public ImmutableArray<DemoSpawn> Spawns => spawns.ToImmutable();
+
+    public ImmutableArray<DemoShooter> Shooters => shooters.ToImmutable();
 
     /// <summary>Static objects and buildings with the upper halves of the cell ids of their blocks.</summary>
     public IEnumerable<(uint BlockId, StaticObject Thing)> Things
@@ -48,6 +52,7 @@ internal sealed class WorldPlan
         DungeonPlaces.AddTo(plan);
         Inhabitants.AddTo(plan);
         Mill.AddTo(plan);
+        Archery.AddTo(plan);
         foreach (var place in plan.places)
             terrain.ClearSceneryAround(place);
         return plan;
@@ -110,6 +115,15 @@ internal sealed class WorldPlan
         spawns.Add(
             new(name, kind, setup, Terrain.GroundAt(spot.X, spot.Y).CellId, Localise(spot).Local.ToVector(), (float)spot.Heading,
                 (float)wanderRadius));
+    }
+
+    /// <summary>Adds something that shoots arrows outdoors; the spot is its muzzle, with an absolute height.</summary>
+    public void AddShooter(string name, Spot spot, float pitch, float speed, float period, bool falls)
+    {
+        spot = OffEdge(spot);
+        shooters.Add(new(
+            name, DemoIds.ArrowSetup, Terrain.GroundAt(spot.X, spot.Y).CellId, Localise(spot).Local.ToVector(), (float)spot.Heading, pitch,
+            speed, period, falls));
     }
 
     /// <summary>All records of the cell file.</summary>

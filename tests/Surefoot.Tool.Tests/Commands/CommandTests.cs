@@ -196,6 +196,22 @@ public class CommandTests
         }
     }
 
+    [Fact, Behaviour("tool.demo.arrows", "spec/06, 7: what a missile hits; design.md, The tool")]
+    public async Task The_butts_of_the_demo_world_shoot_and_every_hit_is_told_with_place_and_normal()
+    {
+        CommandLine.Outcome run = await CommandLine.RunAsync("demo", "arrows", "--seconds", "3", "--json");
+        Assert.Equal(ExitCode.Done, run.ExitCode);
+        using JsonDocument told = JsonDocument.Parse(run.Output);
+        JsonElement[] hits = [.. told.RootElement.GetProperty("hits").EnumerateArray()];
+        // Every 2 s and every 1.5 s, from the first frame on; the last ones arrive in time.
+        Assert.Equal((4, 4), (told.RootElement.GetProperty("shots").GetInt32(), hits.Length));
+        Assert.All(hits, hit => Assert.Equal([0.0, -1.0, 0.0], hit.GetProperty("normal").EnumerateArray().Select(one => one.GetDouble())));
+        Assert.Equal(["bow", "spell-trap"], hits.Select(hit => hit.GetProperty("shooter").GetString()).Distinct().Order());
+
+        foreach (string wrong in (string[])["0", "-1", "NaN", "1e9"])
+            Assert.Equal(ExitCode.Usage, (await CommandLine.RunAsync("demo", "arrows", "--seconds", wrong)).ExitCode);
+    }
+
     [Fact, Behaviour("tool.walk.draws-a-picture", "design.md, The tool")]
     public async Task A_walk_draws_a_self_contained_picture()
     {
