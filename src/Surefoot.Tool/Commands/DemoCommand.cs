@@ -11,7 +11,7 @@ internal static class DemoCommand
     private static readonly JsonSerializerOptions Json = new() { WriteIndented = true, PropertyNamingPolicy = JsonNamingPolicy.CamelCase };
 
     internal static Command Create() =>
-        new("demo", "Makes the demo world.\n\nExample:\n  surefoot demo write ./demo-world") 
+        new("demo", "Makes the demo world.\n\nExample:\n  surefoot demo write ./demo-world")
         {
             CreateWrite(), CreateMap(), CreatePlaces(), DemoArrowsCommand.Create(Json),
         };
