@@ -3,6 +3,22 @@ using Surefoot.Protocol.Messages;
 
 namespace Surefoot.Server;
 
+/// <summary>How much others are told of a player.</summary>
+public enum BroadcastDetail
+{
+    /// <summary>
+    /// As much as live servers tell: places that come with motions once a second at most, a jumper seen standing until its keys change.
+    /// Others may draw a player metres off for a second, and for good where a motion came late and the player stands.
+    /// </summary>
+    Live,
+
+    /// <summary>
+    /// More, in the same messages: a place with each motion; a jumper that goes on turning in the air, and running when it has landed; the
+    /// place of one who stands three times more, a second apart, so that no late motion leaves it elsewhere.
+    /// </summary>
+    Full,
+}
+
 /// <summary>
 /// What those who know a player are told of what its client claims: each motion, each place, each jump, with the stamps of the player's
 /// object. What a client sends is given to <c>Take</c>; what follows goes to the <see cref="IAudience"/>. Who comes later is told
@@ -17,8 +33,10 @@ public sealed class PlayerBroadcast
     /// <summary>Seconds between two places that come with motions; those that come alone are all told.</summary>
     private const double PositionInterval = 1.0;
 
+    private const double RepeatInterval = 1.0;
+    private const int MostRepeats = 3;
     private const uint Visible = 0x600408, InPortalSpace = 0x604410;
-    private const uint CreatureType = 0x10, PlayerFlags = 0x1C;
+    private const uint Ready = 0x41000003, CreatureType = 0x10, PlayerFlags = 0x1C;
 
     private readonly uint player;
     private readonly IAudience audience;
@@ -29,6 +47,7 @@ public sealed class PlayerBroadcast
     private WirePosition place;
     private uint state = Visible;
     private double lastPosition = double.NegativeInfinity;
+    private int repeats = MostRepeats;
 
     /// <summary>A player whose life in the world begins: it stands. Nobody is told yet.</summary>
     /// <param name="player">Id of the player's object, not 0.</param>
@@ -58,11 +77,8 @@ public sealed class PlayerBroadcast
     /// <summary>The player is on its way to another place: its own places are not told.</summary>
     public bool IsTeleporting => state == InPortalSpace;
 
-    /// <summary>
-    /// Once a player has come down from a jump, everybody is told again what is asked of it, so that it runs on where it lands. Live
-    /// servers leave that out: there it is seen standing, and drawn after its places, until its keys change.
-    /// </summary>
-    public bool TellsMotionAfterJump { get; init; }
+    /// <summary>How much others are told.</summary>
+    public BroadcastDetail Detail { get; init; }
 
     /// <summary>The player as it is now, for somebody who does not know it yet; what is told afterwards goes on from there.</summary>
     /// <param name="setup">Its shape, 0x02…</param>
@@ -98,7 +114,8 @@ public sealed class PlayerBroadcast
             TellMotion(MotionTranslation.Interpret(asked, RunRate, chargesLongJump, passed), autonomous: true);
         }
 
-        TakePlace(move.Position, move.Contact, isDue: now - lastPosition >= PositionInterval, now);
+        bool isDue = Detail == BroadcastDetail.Full || now - lastPosition >= PositionInterval;
+        TakePlace(move.Position, move.Contact, isDue, now);
     }
 
     /// <summary>The player is somewhere.</summary>
@@ -110,21 +127,39 @@ public sealed class PlayerBroadcast
         TakePlace(position.Position, position.Contact, isDue: true, now);
         if (!position.Contact || !hasJumped) return;
         hasJumped = false;
-        if (TellsMotionAfterJump) TellMotion(seen = Asked(), autonomous: true);
+        if (Detail == BroadcastDetail.Full) TellMotion(seen = Asked(), autonomous: true);
     }
 
     /// <summary>
-    /// The player jumps. Everybody sees it stand, so that the velocity that comes next is not replaced by that of its motion.
+    /// The player jumps. Everybody sees it stand, so that the velocity that comes next is not replaced by that of its motion: a turn has
+    /// none.
     /// </summary>
     /// <param name="jump">What its client says.</param>
     public void Take(in Jump jump)
     {
         onGround = false;
         hasJumped = true;
-        TellMotion(seen = MovementData.Motion(0, new WireInterpretedMotion()), autonomous: true);
+        seen = MovementData.Motion(0, new WireInterpretedMotion());
+        if (Detail == BroadcastDetail.Full)
+        {
+            MovementData still = MotionTranslation.Interpret(asked, RunRate, standingLongJump: true);
+            seen = MovementData.Motion(still.Style, still.State);
+        }
+
+        TellMotion(seen, autonomous: true);
         Vector3 velocity = Vector3.Transform(jump.Velocity, jump.Position.Orientation);
         Stamps = Stamps with { Vector = Next(Stamps.Vector) };
         audience.Tell(new VectorUpdate(player, velocity, default, Stamps.Instance, Stamps.Vector));
+    }
+
+    /// <summary>Lets time pass: what is told once more is told. To be called often, as each frame.</summary>
+    /// <param name="now">Seconds.</param>
+    public void Update(double now)
+    {
+        if (Detail != BroadcastDetail.Full || repeats >= MostRepeats || IsTeleporting || !Stands || now - lastPosition < RepeatInterval)
+            return;
+        repeats++;
+        TellPosition(place, contact: true, now);
     }
 
     /// <summary>The player's run rate changed. One that moves on the ground by it is ordered to go on at the new speed.</summary>
@@ -165,11 +200,15 @@ public sealed class PlayerBroadcast
             throw new ArgumentOutOfRangeException(nameof(runRate), runRate, "A run rate is a finite number, 0 or more.");
     }
 
+    /// <summary>Nothing is asked of it that would move or turn it.</summary>
+    private bool Stands => onGround && asked is { ForwardCommand: Ready, SidestepCommand: 0, TurnCommand: 0 };
+
     private MovementData Asked() => MotionTranslation.Interpret(asked, RunRate, chargesLongJump);
 
     private void TakePlace(in WirePosition at, bool contact, bool isDue, double now)
     {
         if (IsTeleporting) return;
+        repeats = 0;
         place = at;
         if (isDue) TellPosition(at, contact, now);
     }

@@ -49,6 +49,25 @@ public class DemoWorldTests(DemoFiles files) : IClassFixture<DemoFiles>
         Assert.Equal(3.12, (walk.Moved.X - from) / (300 * FrameTime), 2 * 0.104 / (300 * FrameTime));
     }
 
+    [Fact]
+    [Behaviour("demo-world.human.turns-on-when-it-stops-running", "spec/01b, 2 (re_modify and rule 2) and 4")]
+    public void Who_lets_go_of_the_run_key_goes_on_turning_and_stops_with_the_turn_key()
+    {
+        DemoWalk walk = new(files, "meadow", new CharacterStats(200, 200));
+        walk.Hold(MovementKeys.Forward | MovementKeys.TurnRight, 15);
+        walk.Hold(MovementKeys.TurnRight, 1);
+        double from = walk.Position.Frame.Heading;
+        walk.Hold(MovementKeys.TurnRight, 30);
+
+        // 1.5 rad/s at the turning speed of a runner, 1.5; three frames of the animation more or less.
+        double turned = (walk.Position.Frame.Heading - from + 360) % 360, frame = 0.05 * 180 / Math.PI;
+        Assert.Equal(1.5 * 1.5 * 30 * FrameTime * 180 / Math.PI, turned, 3 * frame);
+        walk.Hold(MovementKeys.None, 2);
+        from = walk.Position.Frame.Heading;
+        walk.Hold(MovementKeys.None, 10);
+        Assert.Equal(from, walk.Position.Frame.Heading);
+    }
+
     [Theory]
     [Behaviour("acceptance.jump-apex-on-terrain", "design; spec/01, 4.1 and 6; spec/02, 6.4 and 6.5")]
     [InlineData(300, 30, 4.21231575)]

@@ -56,8 +56,9 @@ public sealed class HumanTests(DemoFolder world) : IClassFixture<DemoFolder>
                 Assert.Empty(modifier.Animations);
             }
 
-            // Rule 4 takes modifiers only on cycles without bit 1.
-            foreach (uint motion in new[] { 0x45000005u, 0x44000007u, 0x40000015u, 0x6500000Du, 0x6500000Fu })
+            // Rule 4 takes modifiers only on cycles without bit 1, and rule 2 makes a turn the substate of who stops running only where
+            // the turn was not taken off.
+            foreach (uint motion in new[] { 0x41000003u, 0x45000005u, 0x44000007u, 0x40000015u, 0x6500000Du, 0x6500000Fu })
                 Assert.Equal(0, Cycle(motion, style).Bitfield & 1);
         }
     }

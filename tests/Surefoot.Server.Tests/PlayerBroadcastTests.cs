@@ -5,7 +5,8 @@ namespace Surefoot.Server.Tests;
 
 public class PlayerBroadcastTests
 {
-    private const uint Player = 0x50000001, Setup = 0x02000001, Motions = 0x09000001, RunKey = 2, WalkForward = 0x45000005;
+    private const uint Player = 0x50000001, Setup = 0x02000001, Motions = 0x09000001, RunKey = 2;
+    private const uint WalkForward = 0x45000005, TurnRight = 0x6500000D;
     private const ushort RunForward = 0x07, Wave = 0x87, Reload = 0x4A;
 
     private static readonly MovementStamps NoStamps = new(1, 0, 0, 0);
@@ -15,6 +16,8 @@ public class PlayerBroadcastTests
     private readonly PlayerBroadcast broadcast;
 
     public PlayerBroadcastTests() => broadcast = new PlayerBroadcast(Player, At(12), audience, runRate: 2.5f);
+
+    private PlayerBroadcast Full() => new(Player, At(12), audience, runRate: 2.5f) { Detail = BroadcastDetail.Full };
 
     private static WirePosition At(float y) => new(0xA9B40001, new Vector3(12, y, 0), Quaternion.Identity);
 
@@ -66,22 +69,71 @@ public class PlayerBroadcastTests
         Assert.Equal(2, audience.Told.Count);
     }
 
-    [Theory]
-    [InlineData(false, 0)]
-    [InlineData(true, 1)]
-    [Behaviour("broadcast.after-a-jump", "spec/08, 5.7 (Jump) and PlayerBroadcast.TellsMotionAfterJump")]
-    public void Whoever_lands_still_running_is_told_to_run_only_when_that_is_wanted(bool tells, int motions)
+    [Fact]
+    [Behaviour("broadcast.after-a-jump", "spec/08, 5.7 (Jump): nothing follows it")]
+    public void Whoever_lands_is_seen_standing_until_its_keys_change()
     {
-        PlayerBroadcast jumper = new(Player, At(12), audience, runRate: 2.5f) { TellsMotionAfterJump = tells };
-        jumper.Take(Asks(Runs), now: 0);
-        jumper.Take(new Jump(0.5f, new Vector3(0, 4, 5), At(12), NoStamps));
+        broadcast.Take(Asks(Runs), now: 0);
+        broadcast.Take(new Jump(0.5f, new Vector3(0, 4, 5), At(12), NoStamps));
         audience.Told.Clear();
-        jumper.Take(new AutonomousPosition(At(20), NoStamps, Contact: true), now: 1);
-        jumper.Take(new AutonomousPosition(At(21), NoStamps, Contact: true), now: 2);
-        Assert.Equal(motions, audience.Motions.Count());
-        Assert.All(audience.Motions, motion =>
-            Assert.Equal(new WireInterpretedMotion(forwardCommand: RunForward, forwardSpeed: 2.5f), motion.Movement.State));
-        Assert.Equal(2, audience.Positions.Count());
+        broadcast.Take(new AutonomousPosition(At(20), NoStamps, Contact: true), now: 1);
+        Assert.IsType<UpdatePosition>(Assert.Single(audience.Told));
+    }
+
+    [Fact]
+    [Behaviour("broadcast.full.jump", "BroadcastDetail.Full; spec/09, 4.4: a turn has no velocity")]
+    public void In_full_a_jumper_turns_in_the_air_and_runs_on_where_it_lands()
+    {
+        PlayerBroadcast full = Full();
+        full.Take(Asks(new WireRawMotion(RunKey, forwardCommand: WalkForward, turnCommand: TurnRight)), now: 0);
+        full.Take(new Jump(0.5f, new Vector3(0, 4, 5), At(12), NoStamps));
+        Assert.Equal(new WireInterpretedMotion(turnCommand: 0x0D, turnSpeed: 1.5f), audience.Motions.Last().Movement.State);
+        full.Take(new AutonomousPosition(At(20), NoStamps, Contact: true), now: 1);
+        Assert.Equal(
+            new WireInterpretedMotion(forwardCommand: RunForward, forwardSpeed: 2.5f, turnCommand: 0x0D, turnSpeed: 1.5f),
+            audience.Motions.Last().Movement.State);
+        full.Take(new AutonomousPosition(At(21), NoStamps, Contact: true), now: 2);
+        Assert.Equal(3, audience.Motions.Count());
+    }
+
+    [Fact]
+    [Behaviour("broadcast.full.places", "BroadcastDetail.Full")]
+    public void In_full_each_motion_comes_with_its_place()
+    {
+        PlayerBroadcast full = Full();
+        full.Take(Asks(Runs, y: 1), now: 0);
+        full.Take(Asks(new WireRawMotion(RunKey), y: 2), now: 0.125);
+        Assert.Equal([1f, 2f], audience.Positions.Select(item => item.Pack.Position.Origin.Y));
+    }
+
+    [Fact]
+    [Behaviour("broadcast.full.repeats", "BroadcastDetail.Full")]
+    public void In_full_the_place_of_one_who_stands_is_told_three_times_more()
+    {
+        PlayerBroadcast full = Full();
+        full.Take(Asks(Runs, y: 1), now: 0);
+        Pass(from: 0, to: 5);
+        Assert.Single(audience.Positions);
+
+        full.Take(Asks(new WireRawMotion(RunKey), y: 2), now: 5);
+        Pass(from: 5, to: 20);
+        Assert.Equal([1f, 2f, 2f, 2f, 2f], audience.Positions.Select(item => item.Pack.Position.Origin.Y));
+        Assert.Equal([1, 2, 3, 4, 5], audience.Positions.Select(item => (int)item.Pack.PositionStamp));
+
+        void Pass(double from, double to)
+        {
+            for (double now = from; now < to; now += 0.25) full.Update(now);
+        }
+    }
+
+    [Fact]
+    [Behaviour("broadcast.live.no-repeats", "spec/08, 8.7: nothing from one that stands")]
+    public void Live_servers_say_nothing_of_one_who_stands()
+    {
+        broadcast.Take(Asks(new WireRawMotion(RunKey)), now: 0);
+        audience.Told.Clear();
+        broadcast.Update(10);
+        Assert.Empty(audience.Told);
     }
 
     [Fact]

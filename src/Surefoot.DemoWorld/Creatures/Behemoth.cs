@@ -78,7 +78,7 @@ internal static class Behemoth
     {
         var sheet = new MotionSheet(DemoIds.HeavyCreatureMotionTable, NonCombat) { Style = NonCombat };
         BeastPose ready = Ready(0), walk = Plod(0), run = Charge(0), falling = InTheAir(0);
-        sheet.Cycle(MotionIds.Ready, CycleRule.ClearsModifiers, animations.Cycle(90, Ready));
+        sheet.Cycle(MotionIds.Ready, CycleRule.None, animations.Cycle(90, Ready));
         sheet.Cycle(Walk, CycleRule.None, animations.Cycle(48, Plod), WalkVelocity);
         sheet.Cycle(Run, CycleRule.None, animations.Cycle(32, Charge), RunVelocity);
         sheet.Cycle(Falling, CycleRule.None, animations.Cycle(20, InTheAir));

@@ -55,7 +55,7 @@ internal static class Hound
     {
         var sheet = new MotionSheet(DemoIds.CreatureMotionTable, NonCombat) { Style = NonCombat };
         BeastPose ready = Ready(0), walk = Trot(0), run = Gallop(0), falling = InTheAir(0);
-        sheet.Cycle(MotionIds.Ready, CycleRule.ClearsModifiers, animations.Cycle(60, Ready));
+        sheet.Cycle(MotionIds.Ready, CycleRule.None, animations.Cycle(60, Ready));
         sheet.Cycle(Walk, CycleRule.None, animations.Cycle(14, Trot), WalkVelocity);
         sheet.Cycle(Run, CycleRule.None, animations.Cycle(12, Gallop), RunVelocity);
         sheet.Cycle(Falling, CycleRule.None, animations.Cycle(12, InTheAir));

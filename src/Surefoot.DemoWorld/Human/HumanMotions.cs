@@ -27,7 +27,7 @@ internal static class HumanMotions
 
     private static void AddPeace(MotionSheet sheet, AnimationList<HumanPose> animations)
     {
-        sheet.Cycle(Ready, CycleRule.ClearsModifiers, animations.Cycle(60, HumanPoses.Ready));
+        sheet.Cycle(Ready, CycleRule.None, animations.Cycle(60, HumanPoses.Ready));
         sheet.Cycle(Walk, CycleRule.None, animations.Cycle(24, HumanPoses.Walk), WalkVelocity);
         sheet.Cycle(Run, CycleRule.None, animations.Cycle(20, HumanPoses.Run), RunVelocity);
         sheet.Cycle(SideStep, CycleRule.OnlyFromDefault, animations.Cycle(20, HumanPoses.SideStep), SideStepVelocity);
@@ -61,7 +61,7 @@ internal static class HumanMotions
     // What has no cycle here (postures, lying dead) is found in the style of peace.
     private static void AddCombat(MotionSheet sheet, AnimationList<HumanPose> animations)
     {
-        sheet.Cycle(Ready, CycleRule.ClearsModifiers, animations.Cycle(40, HumanPoses.Guard));
+        sheet.Cycle(Ready, CycleRule.None, animations.Cycle(40, HumanPoses.Guard));
         sheet.Cycle(Walk, CycleRule.None, animations.Cycle(24, HumanPoses.GuardWalk), WalkVelocity);
         sheet.Cycle(Run, CycleRule.None, animations.Cycle(20, HumanPoses.GuardRun), RunVelocity);
         sheet.Cycle(SideStep, CycleRule.OnlyFromDefault, animations.Cycle(20, HumanPoses.GuardSideStep), SideStepVelocity);

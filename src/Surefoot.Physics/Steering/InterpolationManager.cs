@@ -53,6 +53,9 @@ internal sealed class InterpolationManager(SteeredBody body)
     /// <summary>Positions given up since the last success.</summary>
     internal int FailCount { get; private set; }
 
+    /// <summary>How often the body was put somewhere, in all its life. Nothing hangs on it.</summary>
+    internal long BlipCount { get; private set; }
+
     /// <summary>The last request that was near said to keep the heading.</summary>
     internal bool KeepsHeading { get; private set; }
 
@@ -120,7 +123,9 @@ internal sealed class InterpolationManager(SteeredBody body)
     {
         if (FailCount <= FailuresBeforeBlip && (queue.Count > 0 || FailCount == 0)) return;
         Position destination = queue.Count > 0 ? queue.Newest : blipTo;
-        if (body.Place(destination)) StopInterpolating();
+        if (!body.Place(destination)) return;
+        BlipCount++;
+        StopInterpolating();
     }
 
     /// <summary>Forgets the positions and every count.</summary>

@@ -26,6 +26,7 @@ public class CommandTests
     [InlineData("demo", "write")]
     [InlineData("demo", "map")]
     [InlineData("conform")]
+    [InlineData("network")]
     public async Task Every_command_explains_itself_with_an_example(params string[] command)
     {
         CommandLine.Outcome run = await CommandLine.RunAsync([.. command, "--help"]);
@@ -49,6 +50,11 @@ public class CommandTests
     [InlineData("walk", "script")]
     [InlineData("play", "--port", "99999", "65535")]
     [InlineData("fly", "fly")]
+    [InlineData("network", "--loss", "101", "--loss 5")]
+    [InlineData("network", "--delay", "NaN", "--delay 200")]
+    [InlineData("network", "--minutes", "0", "--minutes 10")]
+    [InlineData("network", "--way", "long-stair", "two places or more")]
+    [InlineData("network", "--way", "long-stair;platfrom", "platform")]
     [InlineData("conform", "tests/data/vectors/walk-11.jsonl.gz", "--dats")]
     public async Task Wrong_usage_says_what_is_right_and_exits_with_two(params string[] commandAndHint)
     {
