@@ -52,8 +52,8 @@ internal static class NetworkCommand
         Command command = new(
             "network",
             "Lets a player run, turn, jump, stop and climb stairs, draws it as another client does that hears of it over a bad network, " +
-            "and prints how near the two are. Exit code 1 when it is ever inside a solid, more than 5 cm from its last report two seconds " +
-            "after that arrived, or more than 1 m off its path of the last second in over a twentieth of the frames.\n\n" +
+            "and prints how near the two are. Exit code 1 when it is ever inside a solid, more than 5 cm from its last report two " +
+            "seconds after that arrived, or more than 1 m off its path of the last second in over a twentieth of the frames.\n\n" +
             "Example:\n" +
             "  surefoot network --minutes 10 --seed 7 --delay 200 --jitter 100 --loss 5 --duplicates 2\n" +
             "  surefoot network --way \"house-stairs;house-upstairs\" --loss 20 --json")
