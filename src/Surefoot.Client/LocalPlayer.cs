@@ -14,8 +14,12 @@ namespace Surefoot.Client;
 /// <summary>A player in a world: body, motions, keys, and the way to its server.</summary>
 public sealed class LocalPlayer
 {
+    /// <summary>How long a killer counts as fighting after an attack on a player, seconds (specification 01, 4.1).</summary>
+    private const double FightLasts = 20;
+
     private readonly PlayerMessages messages;
     private int killerStatus;
+    private double? attackedPlayerAt;
 
     private LocalPlayer(PhysicsEngine engine, PhysicsBody body, PlayerWeenie weenie, IServerLink server, LocalPlayerOptions options)
     {
@@ -120,13 +124,36 @@ public sealed class LocalPlayer
         return result;
     }
 
+    /// <summary>The player attacked another player. For 20 s from now on a player killer's jumps cost the stamina of a fight.</summary>
+    /// <param name="now">Seconds.</param>
+    /// <exception cref="ArgumentException">The time is not finite; nothing has changed.</exception>
+    /// <remarks>Retail: CACQualities::JumpStaminaCost @0x00591B90. Whoever uses this leaves the weenie's flag alone.</remarks>
+    public void NoteAttackOnPlayer(double now)
+    {
+        PlayerMovementController.ThrowIfNotFinite(now);
+        attackedPlayerAt = now;
+        NoteFight(now);
+    }
+
+    private void NoteFight(double now)
+    {
+        if (attackedPlayerAt is not { } since) return;
+        bool fights = now - since <= FightLasts;
+        if (!fights) attackedPlayerAt = null;
+        Weenie.IsPlayerKillerInCombat = fights && (Body.Weenie & (WeenieTraits.PK | WeenieTraits.PKLite)) != 0;
+    }
+
     /// <summary>What the server says acts; whether the character is a killer of players decides by whom its body is stopped.</summary>
     private void Receive(double now)
     {
         Server.Receive(now, messages);
-        if (Character.PlayerKillerStatus == killerStatus) return;
-        killerStatus = Character.PlayerKillerStatus;
-        Body.SetWeenie(WeenieForms.WithStatus(Body.Weenie, killerStatus));
+        if (Character.PlayerKillerStatus != killerStatus)
+        {
+            killerStatus = Character.PlayerKillerStatus;
+            Body.SetWeenie(WeenieForms.WithStatus(Body.Weenie, killerStatus));
+        }
+
+        NoteFight(now);
     }
 }
 

@@ -79,6 +79,38 @@ public class LocalPlayerTests
         }
     }
 
+    [Theory]
+    [Behaviour("player.killer-in-a-fight", "spec/01, 4.1 and 6: status 4 or 64 and an attack on a player within the last 20 s")]
+    [InlineData(4, 150)]
+    [InlineData(0x40, 150)]
+    [InlineData(0x20, 4)]
+    [InlineData(2, 4)]
+    public void A_killer_s_jumps_cost_more_for_twenty_seconds_after_an_attack_on_a_player(int status, int cost)
+    {
+        PhysicsEngine engine = new(new StubWorld(_ => StubWorld.Flat(0)));
+        FakeServer server = new();
+        LocalPlayer player = LocalPlayer.Spawn(engine, KeyFixture.Id, WalkFixture.Setup, HumanoidTable.Create(),
+            new Position(StubWorld.CellId, new Vector3(12, 12, 0)), server)!;
+        server.Say(new PublicUpdatePropertyInt(0, KeyFixture.Id, 134, status));
+        server.Say(new PrivateUpdateAttribute(0, 1, new AttributeRecord(0, 100, 0)));
+        player.Update(MovementKeys.None, 1);
+        // Half a jump without load: ⌈0.5 · 0.5 · 8 + 2⌉ points of stamina, or 100 · 1.5 in a fight.
+        Assert.Equal(4, CostOfHalfAJump());
+        player.NoteAttackOnPlayer(1);
+        Assert.Equal(cost, CostOfHalfAJump());
+        player.Update(MovementKeys.None, 20.9);
+        Assert.Equal(cost, CostOfHalfAJump());
+        player.Update(MovementKeys.None, 21.1);
+        Assert.Equal(4, CostOfHalfAJump());
+        Assert.Throws<ArgumentException>(() => player.NoteAttackOnPlayer(double.NaN));
+
+        int CostOfHalfAJump()
+        {
+            Assert.True(player.Weenie.JumpStaminaCost(0.5f, out int points));
+            return points;
+        }
+    }
+
     [Fact]
     [Behaviour("player.messages-allocate-nothing", "design, decision 4")]
     public void Keys_that_change_each_frame_and_the_answers_to_them_allocate_nothing()

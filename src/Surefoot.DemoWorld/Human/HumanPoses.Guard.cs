@@ -34,15 +34,15 @@ internal static partial class HumanPoses
     public static HumanPose Punch(double phase)
     {
         // Drawn back, then out, then back to where it was.
-        double drawn = Hill(phase, 0, 0.2, 0.4), out_ = Hill(phase, 0.25, 0.5, 0.95);
+        double drawn = Hill(phase, 0, 0.2, 0.4), reached = Hill(phase, 0.25, 0.5, 0.95);
         HumanPose guard = Guard(0);
         return guard with
         {
-            Twist = guard.Twist - (24 * drawn) + (44 * out_),
-            Lean = guard.Lean + (10 * out_),
-            RightShoulder = guard.RightShoulder - (40 * drawn) + (42 * out_),
-            RightElbow = -(100 * out_),
-            RightHip = guard.RightHip + (10 * out_),
+            Twist = guard.Twist - (24 * drawn) + (44 * reached),
+            Lean = guard.Lean + (10 * reached),
+            RightShoulder = guard.RightShoulder - (40 * drawn) + (66 * reached),
+            RightElbow = -(100 * reached),
+            RightHip = guard.RightHip + (10 * reached),
         };
     }
 

@@ -183,6 +183,19 @@ public class MissileTests
         Assert.Equal([(MissileId, 0u)], range.Hits.Select(hit => (hit.Told, hit.Of)));
     }
 
+    [Fact, Behaviour("missile.allocates-nothing", "design, decision 4")]
+    public void Missiles_on_their_way_allocate_nothing()
+    {
+        ShootingRange range = new();
+        range.Build(Start + new Vector3(30, 0, 0), new Vector3(2, 2, 2));
+        range.Shoot(Start, new Vector3(0, 10, 5), Arrow);
+        range.Fly(20);
+        long before = GC.GetAllocatedBytesForCurrentThread();
+        range.Fly(40);
+        Assert.Equal(0, GC.GetAllocatedBytesForCurrentThread() - before);
+        Assert.Equal(Arrow, range.Missile.State);
+    }
+
     private static void AssertFliesOn(ShootingRange range)
     {
         range.Fly(15);

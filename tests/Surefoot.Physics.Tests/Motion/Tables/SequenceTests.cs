@@ -87,6 +87,17 @@ public class SequenceTests
     }
 
     [Fact]
+    [Behaviour("motion.sequence.turning-does-not-bend-the-way", "spec/01b, 1, apply_physics: the frame's rotation is not applied to it")]
+    public void Within_one_quantum_a_turn_does_not_bend_the_way()
+    {
+        MotionSequence sequence = Cycle(new Vector3(0, 3, 0), 1f, new Vector3(0, 0, -1.5f));
+        Frame frame = Advance(sequence, 8.5 / 30);
+        Assert.Equal((0f, 0f), (frame.Origin.X, frame.Origin.Z));
+        Assert.Equal(0.8f, frame.Origin.Y, 1e-6f);
+        Assert.Equal(-0.4, 2 * Math.Asin(frame.Rotation.Z), 1e-5);
+    }
+
+    [Fact]
     [Behaviour("motion.sequence.smooth-without-animations", "spec/01b, 1 and 4")]
     public void Without_animations_velocity_is_handed_out_continuously()
     {
