@@ -28,6 +28,6 @@ internal static class Archery
         plan.AddShooter("spell-trap", plan.Ground(trapX, y, 0).At(0, 0, BowHeight), pitch: 0, speed: 50, period: 1.5f, falls: false);
 
         plan.AddPlace("archery", "The butts", x + 6, y - 6, 0,
-            "Stand in the way of an archer's arrows, and of bolts at 50 m/s that never pass the wall before the sheltered guard.");
+            "Here an archer and a spell trap shoot: surefoot demo arrows tells what each missile hits; the wall shelters the guard.");
     }
 }

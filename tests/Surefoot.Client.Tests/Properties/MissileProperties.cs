@@ -75,6 +75,41 @@ public sealed class MissileProperties(DemoFiles files) : IClassFixture<DemoFiles
         Assert.True(hits > 0.9 * shots, $"{hits} of {shots} hit something");
     }
 
+    [Fact]
+    [Behaviour("missile.ground-never-passed", "spec/03, 4.4, validate_walkable: the low point is put onto the plane")]
+    public void Over_hills_and_at_cliffs_no_missile_goes_under_the_ground()
+    {
+        foreach (string name in (string[])["hills", "cliff-foot", "foot-of-the-mountain", "lake-shore"])
+        {
+            Assert.True(DemoPlaces.TryFind(name, out NamedPlace place));
+            PhysicsEngine engine = Around(place);
+            int shots = 0, hits = 0;
+            Gen.Select(Inside, Directions, Gen.Float[0.5f, 6]).Sample(
+                (offset, direction, height) =>
+                {
+                    shots++;
+                    // Downwards and ahead more than upwards, so that most hit something.
+                    direction = Vector3.Normalize(direction - new Vector3(0, 0, 0.6f));
+                    Position start = new(place.CellId, place.Origin + offset + new Vector3(0, 0, height));
+                    start.AdjustToOutside();
+                    if (Fly(engine, start, direction, [], arrow => AssertOverGround(engine, arrow))) hits++;
+                },
+                iter: 150, threads: 1);
+            Assert.True(hits > 0.5 * shots, $"{name}: {hits} of {shots} hit something");
+        }
+    }
+
+    private static void AssertOverGround(PhysicsEngine engine, PhysicsBody arrow)
+    {
+        Position at = arrow.Position;
+        Landblock? block = engine.World.FindLandblock(at.CellId);
+        if (block is null || !block.Terrain.TryGetHeight(at.Frame.Origin.X, at.Frame.Origin.Y, out float ground)) return;
+        // In water it may sink as deep as whoever wades.
+        Assert.True(at.Frame.Origin.Z > ground - 0.91f, $"{at.Frame.Origin} is under the ground, {ground}");
+        if (!arrow.Transient.HasFlag(TransientState.WaterContact))
+            Assert.True(at.Frame.Origin.Z > ground, $"{at.Frame.Origin} is under the ground, {ground}");
+    }
+
     private PhysicsEngine Around(NamedPlace place)
     {
         PhysicsEngine engine = files.CreateEngine();
@@ -83,7 +118,8 @@ public sealed class MissileProperties(DemoFiles files) : IClassFixture<DemoFiles
     }
 
     /// <summary>Two thirds of a second of a missile's life; true when it has hit something.</summary>
-    private static bool Fly(PhysicsEngine engine, in Position place, Vector3 direction, Face[] faces)
+    private static bool Fly(
+        PhysicsEngine engine, in Position place, Vector3 direction, Face[] faces, Action<PhysicsBody>? afterQuantum = null)
     {
         PhysicsBody arrow = engine.CreateBody(1, Arrow,
             PhysicsState.ReportCollisions | PhysicsState.Missile | PhysicsState.PathClipped | PhysicsState.AlignPath, WeenieTraits.Present);
@@ -96,6 +132,7 @@ public sealed class MissileProperties(DemoFiles files) : IClassFixture<DemoFiles
             {
                 arrow.AdvanceQuantum(Tick);
                 Vector3 after = arrow.Position.Frame.Origin;
+                afterQuantum?.Invoke(arrow);
                 foreach (Face face in faces)
                     Assert.False(GoesThrough(face, before, after), $"from {before} to {after} through the wall at {face.Corners[0]}");
                 before = after;
