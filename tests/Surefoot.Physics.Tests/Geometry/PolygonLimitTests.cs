@@ -27,6 +27,14 @@ public sealed class PolygonLimitTests
     public void An_overlap_of_exactly_the_tolerance_counts() =>
         Assert.True(Polygon(Triangle).HitsSphere(new Sphere(new Vector3(1, 1, Epsilon), 2 * Epsilon)));
 
+    [Fact, Behaviour("polygon.sphere.contact-aslant", "spec/04, 4.4, polygon_hits_sphere_slow_but_sure: the foot of the perpendicular")]
+    public void A_sphere_touches_a_slanted_polygon_straight_below_it()
+    {
+        Vector3 middle = (Aslant[0] + Aslant[1] + Aslant[2]) / 3, contact = default;
+        Assert.True(Polygon(Aslant).HitsSphere(new Sphere(middle + (new Vector3(0.1f, 0.2f, 0.2f) * 0.9f), 0.5f), ref contact));
+        Assert.True(Vector3.Distance(middle, contact) < 1e-6f, $"{contact}, expected {middle}");
+    }
+
     [Theory, Behaviour("polygon.sphere.level-enough", "spec/04, 4.4, CPolygon::walkable_hits_sphere @0x00539560: strictly more")]
     [InlineData(1f, 0.25f, false)]
     [InlineData(0.75f, 0.25f, true)]
