@@ -90,7 +90,7 @@ public class NetworkRunTests
     }
 
     [Fact]
-    [Behaviour("tool.network.json", "design.md, The tool")]
+    [Behaviour("tool.network.as-json", "design.md, The tool")]
     public async Task The_command_prints_its_figures_as_one_object()
     {
         CommandLine.Outcome run = await CommandLine.RunAsync(
