@@ -123,7 +123,7 @@ internal static class NetworkCommand
         Row("network", Text(figures.Messages, "0"), $"messages; {figures.Resent} packets sent again");
         Row("at rest, worst", Text(figures.WorstAtRest * 100, "0.00 cm"),
             $"of {figures.AtRest.Count} last reports, 2 s after arrival; at most {Text(NetworkFigures.RestLimit * 100, "0 cm")}; " +
-            $"{figures.StepsApart} there, but on the next step");
+            $"{figures.StepsApart} there, but on the next step, {figures.GivenUp} within 20 cm with something in the way");
         Row("inside a solid", Text(figures.InSolid.Count, "0"),
             $"of {figures.Judged} frames; never. {figures.WithoutFaces} more in a leaf marked solid without touching a face");
         Row("off the path, mean", Text(figures.MeanOffPath, "0.000 m"), "from the nearest point of the last second");
@@ -149,7 +149,7 @@ internal static class NetworkCommand
         figures.Climbed,
         figures.Messages,
         figures.Resent,
-        AtRest = new { Count = figures.AtRest.Count, Worst = figures.WorstAtRest, figures.StepsApart },
+        AtRest = new { Count = figures.AtRest.Count, Worst = figures.WorstAtRest, figures.StepsApart, figures.GivenUp },
         InSolid = new { figures.Judged, Count = figures.InSolid.Count, figures.WithoutFaces, Places = figures.InSolid.Take(100) },
         OffPath = new { Mean = figures.MeanOffPath, P95 = figures.P95OffPath, Max = figures.MaxOffPath },
         figures.Blips,

@@ -39,11 +39,15 @@ internal sealed record NetworkFigures(
     /// <summary>The distance that 95 of 100 frames do not exceed.</summary>
     internal double P95OffPath => OffPath.Length > 0 ? OffPath[(int)Math.Ceiling(0.95 * OffPath.Length) - 1] : 0;
 
-    /// <summary>The farthest at rest, those a step apart left out; metres.</summary>
-    internal double WorstAtRest => AtRest.Where(one => !one.IsAStepApart).Select(one => one.Distance).DefaultIfEmpty().Max();
+    /// <summary>The farthest at rest, those a step apart and those given up left out; metres.</summary>
+    internal double WorstAtRest =>
+        AtRest.Where(one => !one.IsAStepApart && !one.IsGivenUp).Select(one => one.Distance).DefaultIfEmpty().Max();
 
     /// <summary>How often it stood where it was to be, but a step higher or lower.</summary>
     internal int StepsApart => AtRest.Count(one => one.IsAStepApart);
+
+    /// <summary>How often it stood within 0.2 m, and something was in the way.</summary>
+    internal int GivenUp => AtRest.Count(one => one.IsGivenUp);
 
     internal double BlipsAnHour => Blips * 3600 / Seconds;
 
@@ -59,14 +63,23 @@ internal readonly record struct RestDistance(double OverGround, double Height)
     /// <summary>What a human steps down without leaving the ground, metres.</summary>
     private const double MostStep = 0.6;
 
+    private const double QuietLimit = 0.2;
+
     internal double Distance => Math.Sqrt((OverGround * OverGround) + (Height * Height));
 
     /// <summary>
     /// It stands where it was told to, on another step: who climbed there stands on the edge of the next step already, who is put there on
     /// the one below, as a placement takes the floor within the step-down height (specification 03, 4.9). Following a place right above
-    /// does not lift who stands: the way is bent along the floor (03, 4.6), and within 0.2 m it is given up quietly (09, 3.2, step 5).
+    /// does not lift who stands: the way is bent along the floor (03, 4.6).
     /// </summary>
-    internal bool IsAStepApart => OverGround <= NetworkFigures.RestLimit && Math.Abs(Height) is > NetworkFigures.RestLimit and <= MostStep;
+    internal bool IsAStepApart =>
+        OverGround <= NetworkFigures.RestLimit && Math.Abs(Height) is > NetworkFigures.RestLimit and <= MostStep;
+
+    /// <summary>
+    /// The way was blocked, by the edge of a step as a rule: nearer than 0.2 m a place that is not got nearer to counts as reached
+    /// (specification 09, 3.2, step 5, and 6.4 d).
+    /// </summary>
+    internal bool IsGivenUp => !IsAStepApart && Distance is > NetworkFigures.RestLimit and < QuietLimit;
 }
 
 /// <summary>The way of a body in its last second.</summary>

@@ -64,11 +64,12 @@ public class NetworkRunTests
     public void Figures_are_those_of_their_numbers()
     {
         double[] off = [.. Enumerable.Range(1, 100).Select(i => i / 100.0)];
-        RestDistance near = new(0.03, 0.04), apart = new(0.01, -0.25), far = new(0.3, 0.4);
-        NetworkFigures figures = new(100, [near, apart], off, 100, [], 0, 3, 1, 1, 1, 1, 1, Seconds: 600);
+        RestDistance near = new(0.03, 0.04), apart = new(0.01, -0.25), blocked = new(0.12, 0.05), far = new(0.3, 0.4);
+        NetworkFigures figures = new(100, [near, apart, blocked], off, 100, [], 0, 3, 1, 1, 1, 1, 1, Seconds: 600);
         Assert.Equal((0.95, 1.0), (figures.P95OffPath, figures.MaxOffPath));
         Assert.Equal(0.505, figures.MeanOffPath, 9);
-        Assert.Equal((0.05, 1, 18.0), (Math.Round(figures.WorstAtRest, 9), figures.StepsApart, figures.BlipsAnHour));
+        Assert.Equal((0.05, 1, 1), (Math.Round(figures.WorstAtRest, 9), figures.StepsApart, figures.GivenUp));
+        Assert.Equal(18, figures.BlipsAnHour);
         Assert.True(figures.IsGood);
         Assert.Equal(0.5, (figures with { AtRest = [near, far] }).WorstAtRest, 9);
         Assert.False((figures with { AtRest = [far] }).IsGood);
