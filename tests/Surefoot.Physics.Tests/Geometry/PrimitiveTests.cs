@@ -118,6 +118,33 @@ public class PrimitiveTests
         Assert.True(RetailMath.NormalizeCheckSmall(ref v));
     }
 
+    [Fact, Behaviour("geometry.zero", "spec/03, 4.1, is_zero @0x0050E7B0: every component less than EPS in size")]
+    public void A_vector_is_zero_when_each_of_its_components_is()
+    {
+        const float below = 0.9f * RetailMath.Epsilon;
+        Assert.True(RetailMath.IsZero(new(below, -below, below)));
+        for (int part = 0; part < 3; part++)
+        {
+            Vector3 v = default;
+            v[part] = -RetailMath.Epsilon;
+            Assert.False(RetailMath.IsZero(v));
+        }
+    }
+
+    [Fact, Behaviour("geometry.add-scaled", "spec/03, 3.1: a + k b, stored once")]
+    public void A_scaled_vector_is_added_on_every_axis() =>
+        Assert.Equal(new Vector3(9, 14, 19), RetailMath.AddScaled(new(1, 2, 3), 2, new(4, 6, 8)));
+
+    [Fact, Behaviour("plane.snap", "spec/03, 4.1.3, Plane::snap_to_plane @0x00509C50: |Nz| at most EPS is vertical")]
+    public void A_displacement_is_laid_along_a_plane_unless_the_plane_is_vertical()
+    {
+        Vector3 offset = new(2, 4, 9);
+        RetailMath.SnapToPlane(new Plane(0.5f, 0.25f, 0.5f, 1), ref offset);
+        Assert.Equal(new Vector3(2, 4, -4), offset);
+        RetailMath.SnapToPlane(new Plane(1, 0, RetailMath.Epsilon, 1), ref offset);
+        Assert.Equal(new Vector3(2, 4, -4), offset);
+    }
+
     [Theory, Behaviour("cylinder.beside", "spec/04, 4.9, CCylSphere::collides_with_sphere @0x0053A880")]
     [InlineData(3f, 4f, 0.5f, 5f, true)]
     [InlineData(3f, 4f, 0.5f, 4f, false)]
