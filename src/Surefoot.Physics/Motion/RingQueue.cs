@@ -54,6 +54,13 @@ internal sealed class RingQueue<T>
     /// <summary>Takes everything off.</summary>
     public void Clear() => (head, Count) = (0, 0);
 
+    /// <summary>Becomes the same as another one.</summary>
+    public void CopyFrom(RingQueue<T> other)
+    {
+        Clear();
+        for (int i = 0; i < other.Count; i++) Enqueue(other[i]);
+    }
+
     private void Grow()
     {
         T[] larger = new T[Math.Max(8, items.Length * 2)];

@@ -107,6 +107,13 @@ public sealed partial class MovementManager
     /// <remarks>Retail: MovementManager::CancelMoveTo @0x005241B0.</remarks>
     public void CancelMoveTo() => MoveTo?.Cancel(MotionError.Cancelled);
 
+    /// <summary>Does exactly what another one does, whose body has the same motion table. A move-to is not taken over.</summary>
+    internal void CopyMotionsFrom(MovementManager other)
+    {
+        Interpreter.CopyFrom(other.Interpreter);
+        if (other.Animation is { } animation) Animation?.CopyFrom(animation);
+    }
+
     internal void OnMoveToEnded(MotionError error) => LastMoveToError = error;
 
     private MotionInterpreter MakeInterpreter()

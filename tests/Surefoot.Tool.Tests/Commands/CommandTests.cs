@@ -27,6 +27,7 @@ public class CommandTests
     [InlineData("demo", "map")]
     [InlineData("conform")]
     [InlineData("network")]
+    [InlineData("authority")]
     public async Task Every_command_explains_itself_with_an_example(params string[] command)
     {
         CommandLine.Outcome run = await CommandLine.RunAsync([.. command, "--help"]);
@@ -50,6 +51,8 @@ public class CommandTests
     [InlineData("walk", "script")]
     [InlineData("play", "--port", "99999", "65535")]
     [InlineData("fly", "fly")]
+    [InlineData("authority", "--hours", "0", "--hours 2")]
+    [InlineData("authority", "--hours", "NaN", "--hours 2")]
     [InlineData("network", "--loss", "101", "--loss 5")]
     [InlineData("network", "--delay", "NaN", "--delay 200")]
     [InlineData("network", "--minutes", "0", "--minutes 10")]

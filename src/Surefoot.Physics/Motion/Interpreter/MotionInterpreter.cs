@@ -110,6 +110,16 @@ internal sealed partial class MotionInterpreter
         while (body is not null && pending.Count > 0) MotionDone(success: false);
     }
 
+    /// <summary>Becomes the same as another one; the animations are copied apart.</summary>
+    public void CopyFrom(MotionInterpreter other)
+    {
+        pending.CopyFrom(other.pending);
+        Raw.CopyFrom(other.Raw);
+        Interpreted.CopyFrom(other.Interpreted);
+        (IsInitialised, StandingLongJump, JumpExtent) = (other.IsInitialised, other.StandingLongJump, other.JumpExtent);
+        (MyRunRate, ServerActionStamp) = (other.MyRunRate, other.ServerActionStamp);
+    }
+
     private void AddToQueue(uint contextId, MotionCommand motion, MotionError jumpError) =>
         pending.Enqueue(new PendingMotion(contextId, motion, jumpError));
 

@@ -203,6 +203,13 @@ public sealed class InterpretedMotionState
         (TurnCommand, TurnSpeed) = (other.TurnCommand, other.TurnSpeed);
     }
 
+    /// <summary>Becomes the same as another one, its actions included.</summary>
+    internal void CopyFrom(InterpretedMotionState other)
+    {
+        CopyMovementFrom(other);
+        actions.CopyFrom(other.actions);
+    }
+
     /// <summary>Back to standing in the peaceful style, without actions.</summary>
     internal void Reset()
     {

@@ -65,6 +65,9 @@ internal sealed class MotionSequence
     /// <summary>Sets both velocities to zero.</summary>
     public void ClearPhysics() => velocity = omega = Vector3.Zero;
 
+    /// <summary>Replaces both velocities.</summary>
+    public void SetPhysics(Vector3 velocity, Vector3 omega) => (this.velocity, this.omega) = (velocity, omega);
+
     /// <summary>Replaces both velocities by those of a motion at a speed.</summary>
     public void SetPhysics(MotionAsset data, float speed)
     {
@@ -97,6 +100,17 @@ internal sealed class MotionSequence
         nodes[Count] = new Node(animation.Animation, low, Math.Max(low, high), (float)((double)animation.Framerate * speed));
         firstCyclic = Count++;
         if (current < 0) Enter(0, atEnd: false);
+    }
+
+    /// <summary>Becomes the same as another one.</summary>
+    public void CopyFrom(MotionSequence other)
+    {
+        if (nodes.Length < other.Count) Array.Resize(ref nodes, other.nodes.Length);
+        if (Count > other.Count) Array.Clear(nodes, other.Count, Count - other.Count);
+        Array.Copy(other.nodes, nodes, other.Count);
+        (Count, firstCyclic, current) = (other.Count, other.firstCyclic, other.current);
+        (velocity, omega, FrameNumber) = (other.velocity, other.omega, other.FrameNumber);
+        Hooks.CopyFrom(other.Hooks);
     }
 
     /// <summary>Removes everything.</summary>

@@ -121,6 +121,15 @@ public sealed class MotionTableManager
     /// <summary>The body leaves the world: what was pending has failed.</summary>
     internal void HandleExitWorld() => FailPending();
 
+    /// <summary>Becomes the same as another one with the same table.</summary>
+    internal void CopyFrom(MotionTableManager other)
+    {
+        pending.CopyFrom(other.pending);
+        state.CopyFrom(other.state);
+        Sequence.CopyFrom(other.Sequence);
+        animationCounter = other.animationCounter;
+    }
+
     private void FailPending()
     {
         while (pending.Count > 0)

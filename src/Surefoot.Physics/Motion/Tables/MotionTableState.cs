@@ -69,6 +69,15 @@ internal sealed class MotionTableState
     /// <summary>Takes all actions off.</summary>
     public void ClearActions() => actions.Clear();
 
+    /// <summary>Becomes the same as another one.</summary>
+    public void CopyFrom(MotionTableState other)
+    {
+        (Style, Substate, SubstateSpeed) = (other.Style, other.Substate, other.SubstateSpeed);
+        modifiers.Clear();
+        modifiers.AddRange(other.modifiers);
+        actions.CopyFrom(other.actions);
+    }
+
     /// <summary>Newest first, as retail's list is walked.</summary>
     private int IndexOf(MotionCommand motion)
     {

@@ -1,0 +1,160 @@
+using System.Numerics;
+using Surefoot.Physics.Queries;
+using Surefoot.Physics.World;
+
+namespace Surefoot.Server;
+
+/// <summary>One way in which a claim may have come about.</summary>
+/// <param name="Cost">The less, the likelier.</param>
+/// <param name="Belief">From which belief.</param>
+/// <param name="Guess">By which guess, with the quantum that it has.</param>
+/// <param name="Approach">How near it came.</param>
+internal readonly record struct Explanation(double Cost, int Belief, Guess Guess, Approach Approach);
+
+/// <summary>
+/// What a player's body may be doing: usually one belief, more where the claims so far allow several, because a client does not tell how it
+/// divides time, nor of its walk key, nor whether a jump is still rising. All are at the same place, the likeliest first.
+/// </summary>
+internal sealed class Beliefs
+{
+    /// <summary>Most beliefs kept.</summary>
+    private const int Most = 8;
+
+    /// <summary>Most explanations kept of one kind: with and without the walk key, rising and falling.</summary>
+    private const int MostOfAKind = 3;
+
+    private const float FirstQuantum = 1f / 30;
+
+    private readonly Explanation[] explanations = new Explanation[Most];
+    private (ShadowBody Body, float Quantum)[] now, next;
+
+    private readonly ShadowBody probe;
+
+    internal Beliefs(Func<ShadowBody> make, ShadowBody probe)
+    {
+        this.probe = probe;
+        now = [.. Enumerable.Range(0, Most).Select(_ => (make(), FirstQuantum))];
+        next = [.. Enumerable.Range(0, Most).Select(_ => (make(), FirstQuantum))];
+        Count = 1;
+    }
+
+    /// <summary>Number of beliefs.</summary>
+    internal int Count { get; private set; }
+
+    /// <summary>The likeliest one.</summary>
+    internal ShadowBody First => now[0].Body;
+
+    /// <summary>Number of explanations of the claim that is looked at.</summary>
+    internal int ExplanationCount { get; private set; }
+
+    /// <summary>The likeliest explanation; only when there is one.</summary>
+    internal Explanation Best => explanations[0];
+
+    internal Explanation ExplanationAt(int index) => explanations[index];
+
+    internal ShadowBody this[int index] => now[index].Body;
+
+    /// <summary>Length of the client's quantum by a belief, seconds.</summary>
+    internal float QuantumOf(int index) => now[index].Quantum;
+
+    /// <summary>Forgets all but the first.</summary>
+    internal void Collapse() => Count = 1;
+
+    /// <summary>Another claim is looked at.</summary>
+    internal void BeginClaim() => ExplanationCount = 0;
+
+    /// <summary>The shortest time that any likely explanation takes, seconds.</summary>
+    internal double ShortestTime
+    {
+        get
+        {
+            double time = explanations[0].Approach.Time;
+            for (int i = 1; i < ExplanationCount; i++) time = Math.Min(time, explanations[i].Approach.Time);
+            return time;
+        }
+    }
+
+    /// <summary>
+    /// The place claimed is believed although no explanation leads there: it stands there, or is in the air with one of some velocities.
+    /// </summary>
+    internal void Guess(in Position to, in Contact? ground, ReadOnlySpan<Vector3> velocities)
+    {
+        probe.CopyFrom(now[0].Body, passesBodies: false);
+        float quantum = now[0].Quantum;
+        probe.Put(to, ground, Landing.Still);
+        int count = 0;
+        foreach (Vector3 velocity in velocities)
+        {
+            for (int afresh = 0; afresh < 2 && count < Most; afresh++)
+            {
+                ShadowBody body = next[count].Body;
+                body.CopyFrom(probe, passesBodies: false);
+                if (afresh == 1) body.Refresh();
+                body.SeatAt(body.Seat with { Velocity = velocity });
+                next[count].Quantum = quantum;
+                if (!IsKnown(body, count)) count++;
+            }
+        }
+
+        (now, next, Count) = (next, now, count);
+    }
+
+    /// <summary>Keeps an explanation when it is among the likeliest.</summary>
+    internal void Add(in Explanation one)
+    {
+        int worst = -1, ofThisKind = 0;
+        for (int i = 0; i < ExplanationCount; i++)
+        {
+            if (KindOf(explanations[i].Guess) != KindOf(one.Guess)) continue;
+            (worst, ofThisKind) = (i, ofThisKind + 1);
+        }
+
+        bool isFull = ofThisKind == MostOfAKind;
+        if (!isFull && ExplanationCount == Most) (worst, isFull) = (Most - 1, true);
+        if (isFull && explanations[worst].Cost <= one.Cost) return;
+        int at = isFull ? worst : ExplanationCount++;
+        for (; at > 0 && one.Cost < explanations[at - 1].Cost; at--) explanations[at] = explanations[at - 1];
+        explanations[at] = one;
+    }
+
+    private static int KindOf(in Guess guess) => (guess.Late ? 1 : 0) + (guess.Toggles ? 2 : 0);
+
+    /// <summary>The claim is believed: each explanation becomes a belief, but for those that come out the same.</summary>
+    /// <param name="to">The place claimed.</param>
+    /// <param name="ground">What is stood on there; null in the air.</param>
+    /// <param name="elapsed">Time since the last claim, seconds.</param>
+    /// <param name="speed">Running speed, m/s.</param>
+    internal void Settle(in Position to, in Contact? ground, double elapsed, double speed)
+    {
+        int count = 0;
+        for (int i = 0; i < ExplanationCount; i++)
+        {
+            Explanation one = explanations[i];
+            ShadowBody body = next[count].Body;
+            body.CopyFrom(now[one.Belief].Body, one.Guess.PassesBodies);
+            Course.Take(body, to, Math.Max(one.Approach.Time, Math.Min(elapsed, one.Approach.Until)), one.Guess, speed);
+            if (!body.HasCell) body.CopyFrom(now[one.Belief].Body, passesBodies: false);
+            bool lands = ground is not null && !body.OnWalkable;
+            if (lands) probe.CopyFrom(body, passesBodies: false);
+            for (Landing landing = Landing.Level; landing <= (lands ? Landing.Still : Landing.Level) && count < Most; landing++)
+            {
+                body = next[count].Body;
+                if (landing != Landing.Level) body.CopyFrom(probe, passesBodies: false);
+                body.Put(to, ground, landing);
+                next[count].Quantum = one.Guess.Quantum;
+                if (!IsKnown(body, count)) count++;
+            }
+
+            if (count == Most) break;
+        }
+
+        (now, next, Count) = (next, now, count);
+    }
+
+    private bool IsKnown(ShadowBody body, int count)
+    {
+        for (int i = 0; i < count; i++)
+            if (body.IsLike(next[i].Body)) return true;
+        return false;
+    }
+}
