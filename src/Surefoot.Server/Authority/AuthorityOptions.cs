@@ -10,7 +10,7 @@ public sealed record AuthorityOptions
     /// How much later than they were sent messages may arrive all at once, seconds: the variation of the delay, one resending included. A
     /// player who is too fast by a share s is caught when it has gained so much, after about this time divided by s.
     /// </summary>
-    public double Slack { get; init; } = 2.0;
+    public double Slack { get; init; } = 1.5;
 
     /// <summary>
     /// How much more may be made up for at once when nothing was heard for so long, seconds: messages that wait for a lost one come in a
@@ -55,9 +55,10 @@ public sealed record AuthorityOptions
 
     internal void ThrowIfBad()
     {
-        bool good = Slack > 0 && Burst >= 0 && ClockDrift >= 0 && Tolerance > 0 && CorrectWithin >= 0 && MostDoubts >= 0 && DoubtEvery > 0 && DriftFor >= 0 && StandWithin > 0 &&
-            JumpTolerance >= 0 && StatsGrace >= 0 &&
-            double.IsFinite(Slack + Burst + ClockDrift + Tolerance + CorrectWithin + DoubtEvery + DriftFor + StandWithin + JumpTolerance + StatsGrace);
+        bool good = Slack > 0 && Burst >= 0 && ClockDrift >= 0 && Tolerance > 0 && MostDoubts >= 0 && DoubtEvery > 0 && DriftFor >= 0 &&
+            CorrectWithin >= 0 && StandWithin > 0 && JumpTolerance >= 0 && StatsGrace >= 0 &&
+            double.IsFinite(Slack + Burst + ClockDrift + DoubtEvery + DriftFor + StatsGrace) &&
+            float.IsFinite(Tolerance + CorrectWithin + StandWithin + JumpTolerance);
         if (!good) throw new ArgumentException("A threshold is not finite, or less than its least value.", "options");
     }
 }

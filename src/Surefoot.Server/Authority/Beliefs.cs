@@ -1,4 +1,5 @@
 using System.Numerics;
+using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Queries;
 using Surefoot.Physics.World;
 
@@ -97,6 +98,35 @@ internal sealed class Beliefs
         }
 
         (now, next, Count) = (next, now, count);
+    }
+
+    /// <summary>
+    /// A jump against a wall hangs on whether the body was sliding along that in its last quantum, which no message says: both are
+    /// believed.
+    /// </summary>
+    /// <param name="wall">Normal of the wall; null for none.</param>
+    internal void ForkByWall(Vector3? wall)
+    {
+        int count = Count;
+        for (int i = 0; i < count; i++)
+        {
+            BodySeat seat = now[i].Body.Seat;
+            Fork(i, seat with { Transient = seat.Transient & ~TransientState.Sliding, SlidingNormal = Vector3.Zero });
+            if (wall is { } normal && (normal with { Z = 0 }) is var level && level.LengthSquared() > 0)
+                Fork(i, seat with { Transient = seat.Transient | TransientState.Sliding, SlidingNormal = Vector3.Normalize(level) });
+        }
+    }
+
+    private void Fork(int index, in BodySeat seat)
+    {
+        if (Count == Most) return;
+        ShadowBody body = now[Count].Body;
+        body.CopyFrom(now[index].Body, passesBodies: false);
+        body.SeatAt(seat);
+        now[Count].Quantum = now[index].Quantum;
+        for (int i = 0; i < Count; i++)
+            if (body.IsLike(now[i].Body)) return;
+        Count++;
     }
 
     /// <summary>Keeps an explanation when it is among the likeliest.</summary>

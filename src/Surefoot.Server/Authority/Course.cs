@@ -23,6 +23,12 @@ internal sealed class Course(ShadowBody probe)
     /// <summary>So much nearer is worth more time, metres.</summary>
     private const double Nearer = 0.01;
 
+    /// <summary>What comes nearer only a second later, as a body that turns in circles does, must come nearer by this, metres.</summary>
+    private const double Patience = 0.1;
+
+    /// <summary>A place that is passed closely at first is not waited for again for longer, seconds.</summary>
+    private const double LongestSearch = 1;
+
     /// <summary>A body on the ground that has got so much farther again does not come back, metres.</summary>
     private const double GoneBy = 3;
 
@@ -58,7 +64,8 @@ internal sealed class Course(ShadowBody probe)
             Vector3 after = probe.Position.OffsetTo(to), moved = before - after;
             double share = Nearest(before, moved), miss = (before - ((float)share * moved)).Length();
             bool again = guess.Late && miss <= Math.Max(best, There) + Nearer && until < time;
-            if (again || miss < best - Nearer || (!there && miss <= There))
+            bool better = miss + (Patience * (time - bestTime)) < best - Nearer;
+            if (again || better || (!there && miss <= There && time - bestTime < LongestSearch))
             {
                 (best, bestTime, seat) = (miss, time + (share * guess.Quantum), probe.Seat);
                 until = share == 1 ? walk.Time : bestTime;

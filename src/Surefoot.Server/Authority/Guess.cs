@@ -16,8 +16,8 @@ internal readonly record struct Guess()
     public double TogglesBackAt { get; init; } = double.PositiveInfinity;
 
     /// <summary>
-    /// It moves as its keys do, but for what earlier motions left of theirs, and turns as the headings say: a walk key pressed while the body
-    /// turns or steps sideways leaves a part of that.
+    /// It moves as its keys do, but for what earlier motions left of theirs, and turns as the headings say: a walk key pressed while the
+    /// body turns or steps sideways leaves a part of that.
     /// </summary>
     public Drift? Drift { get; init; }
 

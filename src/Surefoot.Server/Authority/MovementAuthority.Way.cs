@@ -1,6 +1,5 @@
 using System.Numerics;
 using Surefoot.Physics.Bodies;
-using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.Queries;
 using Surefoot.Physics.World;
@@ -11,7 +10,7 @@ namespace Surefoot.Server;
 public sealed partial class MovementAuthority
 {
     /// <summary>How much longer than allowed a course is followed, to tell the fast from the lost, seconds.</summary>
-    private const double Overtime = 0.5;
+    private const double Overtime = 2;
 
     /// <summary>No course is followed for longer, seconds: the longest fall.</summary>
     private const double LongestCourse = 30;
@@ -20,7 +19,7 @@ public sealed partial class MovementAuthority
     private const double TeleportFactor = 2, TeleportLeast = 10;
 
     /// <summary>What a second that a course takes too long or too short is worth, and a round of guesses, metres.</summary>
-    private const double CostOfTime = 0.05, CostOfRound = 0.01;
+    private const double CostOfTime = 0.05, CostOfRound = 0.01, CostOfQuantum = 0.02;
 
     /// <summary>The rounds of guesses that are looked at for every belief; the others for the likeliest two.</summary>
     private const int CheapRounds = 2, BeliefsInLaterRounds = 2;
@@ -34,8 +33,17 @@ public sealed partial class MovementAuthority
     /// <summary>Where the shadow stands there is ground for one who is a stair higher or lower, metres.</summary>
     private const float AboutAStep = 0.35f;
 
-    /// <summary>Radius of a human's foot, metres.</summary>
-    private const float FootRadius = 0.48f;
+    /// <summary>Time owed that may be forgiven at once, seconds, and how many doubts that costs.</summary>
+    private const double TimeForgiven = 1.5, DoubtsForTime = 2;
+
+    /// <summary>How far ahead a wall is looked for, metres.</summary>
+    private const float WallReach = 0.3f;
+
+    /// <summary>How far back a wall may push a body that runs into it, metres.</summary>
+    private const double Back = 0.3;
+
+    /// <summary>Who stands on an edge has something so far below, metres.</summary>
+    private const float OverAnEdge = 0.5f;
 
     private readonly RawMotionState keys = new();
 
@@ -53,6 +61,14 @@ public sealed partial class MovementAuthority
         {
             weenie.SetStats(k == 0 ? stats : formerStats);
             isSlow &= Explain(to, available, elapsed, now, ref nearest);
+        }
+
+        // What was taken for a walk may have been a run: some time that is owed is forgiven, now and then.
+        RefillDoubts(now);
+        if (beliefs.ExplanationCount == 0 && !isSlow && doubts >= DoubtsForTime)
+        {
+            Explain(to, available + TimeForgiven, elapsed, now, ref nearest);
+            if (beliefs.ExplanationCount > 0) doubts -= DoubtsForTime;
         }
 
         ClaimVerdict verdict = beliefs.ExplanationCount > 0
@@ -86,7 +102,7 @@ public sealed partial class MovementAuthority
                     if (approach.Miss > (guess.Strays ? options.Tolerance / 2 : options.Tolerance)) continue;
                     isTouchy |= approach.IsTouchy;
                     if (approach.Time > available) isSlow = false;
-                    else beliefs.Add(new Explanation(CostOf(approach, elapsed) + (round * CostOfRound), i, guess, approach));
+                    else beliefs.Add(new Explanation(CostOf(approach, elapsed) + CostOf(guess, round, i), i, guess, approach));
                 }
             }
 
@@ -97,6 +113,9 @@ public sealed partial class MovementAuthority
         return isSlow;
     }
 
+    private double CostOf(in Guess guess, int round, int belief) =>
+        (round * CostOfRound) + (guess.Quantum == beliefs.QuantumOf(belief) ? 0 : CostOfQuantum);
+
     private static double CostOf(in Approach approach, double elapsed)
     {
         double off = approach.Time > elapsed ? approach.Time - elapsed : Math.Max(0, elapsed - approach.Until);
@@ -106,7 +125,7 @@ public sealed partial class MovementAuthority
     private ClaimVerdict Accept(in Position to, bool stands, double elapsed, double available, double now)
     {
         Approach best = beliefs.Best.Approach;
-        Contact? ground = stands ? FootingOf(best.Seat, to) ?? FootingAt(to) ?? FootingSoon(to) ?? FootingInDoubt(to, now) : null;
+        Contact? ground = stands ? FootingOf(best.Seat, to) ?? FootingAt(to) ?? FootingSoon(to) ?? FootingInDoubt(to) : null;
         if (stands && ground is null) return Deny(ClaimReason.InTheAir, now, best.Miss);
 
         // Who is in the air cannot take his time: the shadow has fallen by now, and he with it.
@@ -118,7 +137,7 @@ public sealed partial class MovementAuthority
             if (gap > options.CorrectWithin) return Deny(ClaimReason.InTheAir, now, gap);
         }
 
-        credit = Math.Min(options.Slack + options.Burst, available - time);
+        credit = Math.Min(options.Slack + options.Burst, Math.Max(0, available - time));
         lastTime = Math.Max(lastTime, now);
         beliefs.Settle(to, ground, elapsed, TopSpeed);
         return new ClaimVerdict(ClaimOutcome.Accepted, ClaimReason.None, to, (float)best.Miss);
@@ -130,13 +149,12 @@ public sealed partial class MovementAuthority
     /// </summary>
     private ClaimVerdict? Doubt(in Position to, bool stands, double available, double now)
     {
-        RefillDoubts(now);
         if (doubts < 1) return null;
         ShadowBody body = beliefs.First;
         BodySeat begin = body.Seat;
         Vector3 way = begin.Position.OffsetTo(to), across = way with { Z = 0 };
         double time = across.Length() / TopSpeed;
-        if (time > available || Vector3.Dot(across, body.Going) < 0) return null;
+        if (time > available || Vector3.Dot(across, body.Going) < -Back * body.Going.Length()) return null;
         Contact? ground = stands ? FootingAt(to) : null;
         if (stands && ground is null) return null;
         Vector3 velocity = begin.Velocity;
@@ -149,8 +167,7 @@ public sealed partial class MovementAuthority
         }
 
         Contact? contact = flies || !stands ? null : ContactOf(begin);
-        SweepResult sweep = query.Sweep(new SweepInput(soft, begin.Position, to) { Contact = contact });
-        if (!sweep.Found || sweep.Position.DistanceTo(to) > options.Tolerance) return null;
+        if (!IsFree(begin.Position, to, contact) && (stands || !IsFreeAbove(begin.Position, to))) return null;
         doubts--;
         credit = Math.Min(options.Slack + options.Burst, available - time);
         lastTime = Math.Max(lastTime, now);
@@ -159,6 +176,32 @@ public sealed partial class MovementAuthority
             ? [Vector3.Zero]
             : [velocity with { Z = (float)fall }, new Vector3(0, 0, (float)fall), Vector3.Zero, velocity]);
         return new ClaimVerdict(ClaimOutcome.Accepted, ClaimReason.None, to, options.Tolerance);
+    }
+
+    /// <summary>Normal of the wall that the player would slide along next, or null.</summary>
+    private Vector3? WallAhead()
+    {
+        ShadowBody body = beliefs.First;
+        Vector3 way = body.Going with { Z = 0 };
+        if (way.LengthSquared() < WallReach) return null;
+        Position to = body.Position;
+        to.Frame.Origin += WallReach * Vector3.Normalize(way);
+        SweepResult ahead = query.Sweep(new SweepInput(soft, body.Position, to) { Contact = ContactOf(body.Seat) });
+        return ahead.SlidingNormal ?? (ahead.CollisionNormal is { } met && met.Z < WallReach ? met : null);
+    }
+
+    private bool IsFree(in Position begin, in Position to, in Contact? contact)
+    {
+        SweepResult way = query.Sweep(new SweepInput(soft, begin, to) { Contact = contact });
+        return way.Found && way.Position.DistanceTo(to) <= options.Tolerance;
+    }
+
+    /// <summary>First up, then across: a body that jumps against a wall rises along it.</summary>
+    private bool IsFreeAbove(in Position begin, in Position to)
+    {
+        Position above = begin;
+        above.Frame.Origin.Z = to.Frame.Origin.Z;
+        return IsFree(begin, above, null) && IsFree(above, to, null);
     }
 
     private void RefillDoubts(double now)
@@ -188,8 +231,7 @@ public sealed partial class MovementAuthority
     private ClaimReason ReasonOf(in Position to, bool stands, in Approach nearest)
     {
         BodySeat begin = beliefs.First.Seat;
-        SweepResult way = query.Sweep(new SweepInput(soft, begin.Position, to) { Contact = ContactOf(begin) });
-        if (!way.Found || way.Position.DistanceTo(to) > options.Tolerance) return ClaimReason.ThroughWall;
+        if (!IsFree(begin.Position, to, ContactOf(begin))) return ClaimReason.ThroughWall;
         return !stands && nearest.Seat.Position.OffsetTo(to).Z > options.Tolerance ? ClaimReason.TooHigh : ClaimReason.OffCourse;
     }
 
@@ -228,13 +270,12 @@ public sealed partial class MovementAuthority
             ? ContactOf(seat)
             : null;
 
-    /// <summary>One may stand on the edge of something that nobody falls onto; now and then that is believed where something is near.</summary>
-    private Contact? FootingInDoubt(in Position place, double now)
+    /// <summary>
+    /// One may stand on the edge of something that nobody falls onto; now and then that is believed where something is near.
+    /// </summary>
+    private Contact? FootingInDoubt(in Position place)
     {
-        RefillDoubts(now);
-        Vector3 foot = place.Frame.Origin + new Vector3(0, 0, FootRadius);
-        if (doubts < 1 || !query.Overlap(new SphereInput(place.CellId, new Sphere(foot, FootRadius + options.StandWithin))).Overlaps)
-            return null;
+        if (doubts < 1 || !query.ProbeDown(new ProbeDownInput(soft, place, OverAnEdge)).Found) return null;
         doubts--;
         return new Contact(new Plane(0, 0, 1, -place.Frame.Origin.Z), place.CellId);
     }

@@ -104,7 +104,9 @@ public sealed partial class MovementAuthority
         return true;
     }
 
-    /// <summary>Takes over new numbers of the character. The last ones hold as well for a while: the player hears of the change late.</summary>
+    /// <summary>
+    /// Takes over new numbers of the character. The last ones hold as well for a while: the player hears of the change late.
+    /// </summary>
     /// <exception cref="ArgumentException">A number is negative, or the time is not finite; nothing has changed.</exception>
     public void SetStats(CharacterStats value, double now)
     {
@@ -154,6 +156,7 @@ public sealed partial class MovementAuthority
         ClaimReason reason = JudgeJump(claim.Extent, claim.Velocity, now);
         if (reason != ClaimReason.None) return Refuse(reason, now);
         for (int i = 0; i < beliefs.Count; i++) beliefs[i].Jump(claim.Extent, claim.Velocity);
+        beliefs.ForkByWall(WallAhead());
         return Count(verdict);
     }
 
@@ -176,7 +179,8 @@ public sealed partial class MovementAuthority
         ClaimReason reason = TryJump(stats) && (!HasFormerStats(now) || TryJump(formerStats))
             ? ClaimReason.JumpTooHigh
             : ClaimReason.None;
-        if (reason != ClaimReason.None && stats.Stamina == 0 && !TryJump(stats with { Stamina = 1 })) reason = ClaimReason.JumpWithoutStamina;
+        if (reason != ClaimReason.None && stats.Stamina == 0 && !TryJump(stats with { Stamina = 1 }))
+            reason = ClaimReason.JumpWithoutStamina;
         weenie.SetStats(stats);
         return reason;
 

@@ -143,7 +143,8 @@ internal sealed class ShadowBody
         if (keys.CurrentStyle != own.CurrentStyle) movement.DoMotion(keys.CurrentStyle, new MovementParameters());
         if ((keys.ForwardCommand, keys.ForwardHoldKey, keys.ForwardSpeed) != (own.ForwardCommand, own.ForwardHoldKey, own.ForwardSpeed))
             Press(own.ForwardCommand, keys.ForwardCommand, MotionCommand.Ready, keys.ForwardHoldKey, keys.ForwardSpeed);
-        if ((keys.SidestepCommand, keys.SidestepHoldKey, keys.SidestepSpeed) != (own.SidestepCommand, own.SidestepHoldKey, own.SidestepSpeed))
+        if ((keys.SidestepCommand, keys.SidestepHoldKey, keys.SidestepSpeed) !=
+            (own.SidestepCommand, own.SidestepHoldKey, own.SidestepSpeed))
             Press(own.SidestepCommand, keys.SidestepCommand, MotionCommand.None, keys.SidestepHoldKey, keys.SidestepSpeed);
         if ((keys.TurnCommand, keys.TurnHoldKey, keys.TurnSpeed) != (own.TurnCommand, own.TurnHoldKey, own.TurnSpeed))
             Press(own.TurnCommand, keys.TurnCommand, MotionCommand.None, keys.TurnHoldKey, keys.TurnSpeed);
@@ -159,7 +160,8 @@ internal sealed class ShadowBody
     }
 
     /// <summary>The walk key goes down or comes up.</summary>
-    internal void ToggleRun() => movement.Interpreter.SetHoldRun(movement.Interpreter.Raw.CurrentHoldKey != HoldKey.Run, cancelMoveTo: false);
+    internal void ToggleRun() =>
+        movement.Interpreter.SetHoldRun(movement.Interpreter.Raw.CurrentHoldKey != HoldKey.Run, cancelMoveTo: false);
 
     internal void SetHeading(float degrees) => body.SetHeading(degrees);
 
@@ -180,6 +182,7 @@ internal sealed class ShadowBody
     {
         MotionTableManager? own = movement.Animation, its = other.movement.Animation;
         return Vector3.Distance(body.Velocity, other.body.Velocity) < SameVelocity && body.OnWalkable == other.body.OnWalkable &&
+            (body.OnWalkable || Vector3.Distance(body.SlidingNormal, other.body.SlidingNormal) < SameVelocity) &&
             own?.Substate == its?.Substate && own?.SubstateSpeed == its?.SubstateSpeed &&
             own?.Sequence.Velocity == its?.Sequence.Velocity && own?.Sequence.Omega == its?.Sequence.Omega &&
             movement.Interpreter.Raw.CurrentHoldKey == other.movement.Interpreter.Raw.CurrentHoldKey;

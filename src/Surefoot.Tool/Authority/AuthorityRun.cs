@@ -66,7 +66,8 @@ internal sealed class AuthorityRun(AuthorityWorld world)
         Courses += result.Courses;
         foreach (Objection one in result.Objections)
             FalseRefusals.Add(FormattableString.Invariant(
-                $"{named.Name}, seed {seed}, {one.Time - result.Began:0.0} s: {one.Message} {one.Verdict.Outcome}, {one.Verdict.Reason}, ") +
+                $"{named.Name}, seed {seed}, {one.Time - result.Began:0.0} s: {one.Message} {one.Verdict.Outcome}, ") +
+                FormattableString.Invariant($"{one.Verdict.Reason}, ") +
                 FormattableString.Invariant($"missed {one.Claimed} by {one.Verdict.Miss:0.00} m from {one.Verdict.Position}"));
     }
 }

@@ -58,7 +58,8 @@ internal abstract class Cheat
         PhysicsBody body = client.Body;
         Position place = AuthorityWorld.Beside(body.Position, 0, (float)metres);
         body.Seat(new BodySeat(
-            place, Vector3.Zero, TransientState.Contact | TransientState.OnWalkable, body.ContactPlane, body.ContactPlaneCellId, Vector3.Zero));
+            place, Vector3.Zero, TransientState.Contact | TransientState.OnWalkable, body.ContactPlane, body.ContactPlaneCellId,
+            Vector3.Zero));
     }
 
     /// <summary>Running speed, m/s.</summary>

@@ -11,8 +11,8 @@ internal static class Cheats
     /// <summary>A new one of each, what differs between seeds among it.</summary>
     internal static IEnumerable<Cheat> All(Dice dice) =>
     [
-        new FastClock(), new FastLegs(), new ThroughWall(), new ClippedCorner(), new Flight(), new SuperJump(tells: dice.Is(0.5)), new Glide(),
-        new Rewind(), new HighSteps(),
+        new FastClock(), new FastLegs(), new ThroughWall(), new ClippedCorner(), new Flight(), new SuperJump(tells: dice.Is(0.5)),
+        new Glide(), new Rewind(), new HighSteps(),
     ];
 }
 
@@ -168,7 +168,8 @@ internal sealed class Glide : Cheat
 
     internal override CharacterStats Stats(Dice dice) => new((int)dice.Roll(100, 300), (int)dice.Roll(250, 400));
 
-    internal override MovementKeys Keys(double time) => MovementKeys.Forward | (time is > 2 and < 2.95 ? MovementKeys.Jump : Tap(time, 0.8));
+    internal override MovementKeys Keys(double time) =>
+        MovementKeys.Forward | (time is > 2 and < 2.95 ? MovementKeys.Jump : Tap(time, 0.8));
 
     internal override void Act(PlayedClient client, double time, double frame)
     {

@@ -22,12 +22,17 @@ internal static class AuthorityCommand
             Description = "Hours of honest play, spread over every place of the demo world; parts of an hour are shorter visits.",
             DefaultValueFactory = _ => 1,
         };
-        Option<ulong> seed = new("--seed") { Description = "Seed of keys, numbers and network; each hour has the next.", DefaultValueFactory = _ => 1 };
+        Option<ulong> seed = new("--seed")
+        {
+            Description = "Seed of keys, numbers and network; each hour has the next.",
+            DefaultValueFactory = _ => 1,
+        };
         Option<bool> json = new("--json") { Description = "Print one JSON object." };
         Command command = new(
             "authority",
-            "Plays honest players and cheaters over a bad network (200 ± 100 ms, 5 % lost) against a server that judges each message, and counts " +
-            "honest players refused and cheats missed. Exit code 1 when there are any.\n\nExample:\n  surefoot authority --hours 2 --seed 1")
+            "Plays honest players and cheaters over a bad network (200 ± 100 ms, 5 % lost) against a server that judges each message, " +
+            "and counts honest players refused and cheats missed. Exit code 1 when there are any.\n\nExample:\n" +
+            "  surefoot authority --hours 2 --seed 1")
         {
             hours, seed, json,
         };
@@ -35,7 +40,11 @@ internal static class AuthorityCommand
         {
             double length = parsed.GetRequiredValue(hours);
             if (!(length is > 0 and <= MostHours))
-                throw new UsageException(FormattableString.Invariant($"--hours is more than 0 and at most {MostHours}, for example --hours 2."));
+            {
+                throw new UsageException(
+                    FormattableString.Invariant($"--hours is more than 0 and at most {MostHours}, for example --hours 2."));
+            }
+
             bool quiet = parsed.GetValue(json);
             using AuthorityWorld world = new(DemoWorldCache.GetOrCreate(notice: CommonOptions.Say));
             AuthorityRun run = new(world);
@@ -61,7 +70,8 @@ internal static class AuthorityCommand
         Terminal.Write(table);
         Console.Out.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
-            $"{run.Hours:0.##} hours of honest play, {run.Claims} claims, {run.Courses / (double)Math.Max(1, run.Claims):0.00} courses a claim: " +
+            $"{run.Hours:0.##} hours of honest play, {run.Claims} claims, " +
+            $"{run.Courses / (double)Math.Max(1, run.Claims):0.0} courses a claim: " +
             $"{run.FalseRefusals.Count} refused; {run.MissedCheats} of {run.Caught.Count} cheats missed"));
         foreach (string line in run.FalseRefusals.Take(MostSaid)) CommonOptions.Say(line);
         foreach (CheatResult one in run.Caught.Where(one => !one.IsCaught).Take(MostSaid))
