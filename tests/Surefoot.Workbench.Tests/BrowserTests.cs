@@ -25,7 +25,7 @@ public sealed class BrowserTests(Browser browser)
     [Behaviour("workbench.browser.run-speed", "design.md")]
     public async Task W_held_two_seconds_moves_the_drawn_player_the_formulas_distance()
     {
-        await using Tab tab = await browser.OpenAsync();
+        await using Tab tab = await browser.BorrowAsync();
         await tab.Page.Keyboard.DownAsync("w");
         await tab.Until($"window.surefoot.pose.speed > {0.95 * RunSpeed}", "the player runs");
         double start = await tab.Number("window.surefoot.pose.time");
@@ -92,7 +92,7 @@ public sealed class BrowserTests(Browser browser)
     [Behaviour("workbench.browser.smooth-between-ticks", "design.md")]
     public async Task Drawn_positions_follow_the_path_between_ticks_of_the_physics()
     {
-        await using Tab tab = await browser.OpenAsync();
+        await using Tab tab = await browser.BorrowAsync();
         await tab.Page.Keyboard.DownAsync("w");
         await tab.Until($"window.surefoot.pose.speed > {0.95 * RunSpeed}", "the player runs");
         await Task.Delay(400);
@@ -121,7 +121,7 @@ public sealed class BrowserTests(Browser browser)
     [Behaviour("workbench.browser.jump", "design.md")]
     public async Task Space_held_one_second_fills_the_bar_and_jumps()
     {
-        await using Tab tab = await browser.OpenAsync();
+        await using Tab tab = await browser.BorrowAsync();
         double ground = await tab.Number("window.surefoot.drawn.position.z");
         await tab.Page.Keyboard.DownAsync("Space");
         await tab.Until("window.surefoot.bar > 0.05 && window.surefoot.bar < 1", "the bar is filling");
@@ -141,7 +141,7 @@ public sealed class BrowserTests(Browser browser)
     [Behaviour("workbench.browser.panel-agrees", "design.md")]
     public async Task The_panel_shows_the_servers_numbers_standing_and_running()
     {
-        await using Tab tab = await browser.OpenAsync();
+        await using Tab tab = await browser.BorrowAsync();
         await ComparePanel(tab);
         await tab.Page.Keyboard.DownAsync("w");
         await tab.Page.Keyboard.DownAsync("d");
@@ -218,7 +218,7 @@ public sealed class BrowserTests(Browser browser)
     [Behaviour("workbench.browser.right-button-turns-the-player", "spec/09b, 9.7")]
     public async Task The_right_button_turns_the_player_and_the_left_one_orbits_the_camera()
     {
-        await using Tab tab = await browser.OpenAsync();
+        await using Tab tab = await browser.BorrowAsync();
         IPage page = tab.Page;
         double yaw = await tab.Number("window.surefoot.pose.yaw");
         await page.Mouse.MoveAsync(150, 250);
@@ -257,7 +257,7 @@ public sealed class BrowserTests(Browser browser)
     [Behaviour("workbench.browser.mouse-turning-is-an-option", "spec/09b, 9.7")]
     public async Task Mouse_turning_is_on_at_first_and_can_be_switched_off()
     {
-        await using Tab tab = await browser.OpenAsync();
+        await using Tab tab = await browser.BorrowAsync();
         IPage page = tab.Page;
         Assert.Equal("true", await page.Locator("#toggle-mouse").GetAttributeAsync("aria-pressed"));
         await page.Locator("#toggle-mouse").ClickAsync();
@@ -278,7 +278,7 @@ public sealed class BrowserTests(Browser browser)
     [Behaviour("workbench.browser.autorun", "spec/09b, 9.6")]
     public async Task R_runs_ahead_until_it_is_pressed_again()
     {
-        await using Tab tab = await browser.OpenAsync();
+        await using Tab tab = await browser.BorrowAsync();
         await tab.Page.Keyboard.PressAsync("r");
         await tab.Until($"window.surefoot.pose.speed > {0.95 * RunSpeed}", "the player runs without a key");
         await tab.Page.EvaluateAsync("dispatchEvent(new Event('blur'))");

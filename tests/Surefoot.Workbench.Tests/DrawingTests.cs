@@ -18,7 +18,7 @@ public sealed class DrawingTests(Browser browser)
     [Behaviour("workbench.page.drawn-in-software-begins-plain", "design.md, Who uses it")]
     public async Task Where_the_processor_draws_the_page_begins_without_what_costs_most()
     {
-        await using Tab tab = await browser.OpenAsync(options: new() { DeviceScaleFactor = 1 });
+        await using Tab tab = await browser.OpenAsync(options: new() { Scale = 1 });
         Assert.Equal("SwiftShader", (await tab.Read(Renderer)).GetString());
         Assert.True((await tab.Read("document.body.classList.contains('plain')")).GetBoolean(), "no frosted glass");
         Assert.Equal((Browser.Width / 2) + 0.0, await tab.Number("document.getElementById('view').width"));

@@ -11,7 +11,7 @@ public sealed class GoToTests(Browser browser)
     [Behaviour("workbench.page.box-takes-cell-and-metres", "design.md, Who uses it")]
     public async Task The_box_takes_a_cell_and_metres_and_says_what_is_wrong_with_others()
     {
-        await using Tab tab = await browser.OpenAsync();
+        await using Tab tab = await browser.BorrowAsync();
         IPage page = tab.Page;
         ILocator box = page.Locator("#goto-box");
         await page.Keyboard.PressAsync("g");
@@ -41,7 +41,7 @@ public sealed class GoToTests(Browser browser)
     [Behaviour("workbench.page.box-searches-places", "design.md, Who uses it: jump to a named place")]
     public async Task The_box_searches_names_and_hints_with_the_keyboard_and_with_the_pointer()
     {
-        await using Tab tab = await browser.OpenAsync();
+        await using Tab tab = await browser.BorrowAsync();
         IPage page = tab.Page;
         ILocator options = page.GetByRole(AriaRole.Option);
         await page.Locator("#goto-box").ClickAsync();

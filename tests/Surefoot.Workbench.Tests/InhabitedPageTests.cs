@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Numerics;
-using Microsoft.Playwright;
 using Surefoot.Workbench.Simulation;
 using Surefoot.Workbench.Tests.Support;
 
@@ -14,7 +13,7 @@ public sealed class InhabitedPageTests(Browser browser)
     [Behaviour("workbench.browser.creatures-are-drawn", "design.md, Who uses it")]
     public async Task The_crowd_and_the_creatures_are_there_and_the_creatures_walk()
     {
-        await using Tab tab = await browser.OpenAsync();
+        await using Tab tab = await browser.BorrowAsync();
         await tab.GoTo("A crowd of a hundred");
         await tab.Until(
             $"window.surefoot.bodies.filter((one) => one.type === {(int)BodyKind.Crowd}).length === 100",
@@ -35,7 +34,7 @@ public sealed class InhabitedPageTests(Browser browser)
     [Behaviour("workbench.browser.windmill-turns", "design.md, Who uses it; spec/02, 4.19")]
     public async Task The_windmills_sails_turn_on_the_page_and_its_tower_stands()
     {
-        await using Tab tab = await browser.OpenAsync();
+        await using Tab tab = await browser.BorrowAsync();
         await tab.GoTo("The windmill");
         await tab.Until("window.surefoot.moving.length === 2", "tower and sails are drawn");
         const string sails =
@@ -54,7 +53,7 @@ public sealed class InhabitedPageTests(Browser browser)
     [Behaviour("workbench.browser.door-opens-and-closes", "design.md, Who uses it")]
     public async Task F_opens_the_door_at_hand_and_it_closes_by_itself()
     {
-        await using Tab tab = await browser.OpenAsync();
+        await using Tab tab = await browser.BorrowAsync();
         await tab.GoTo("A door");
         string door = $"window.surefoot.bodies.find((one) => one.type === {(int)BodyKind.Door})";
         await tab.Until($"{door}?.flags === 0 && window.surefoot.drawnThings.door === 0", "the door is closed");
@@ -76,7 +75,7 @@ public sealed class InhabitedPageTests(Browser browser)
     [Behaviour("workbench.browser.cutaway-indoors", "design.md, Who uses it")]
     public async Task In_a_house_the_wall_before_the_camera_is_cut_away_and_the_panel_names_the_wall_run_into()
     {
-        await using Tab tab = await browser.OpenAsync();
+        await using Tab tab = await browser.BorrowAsync();
         await tab.GoTo("In the hall");
         await tab.Until("window.surefoot.cut.opens === 1", "the house is opened around the player");
         await tab.Page.Keyboard.DownAsync("q");
@@ -100,7 +99,7 @@ public sealed class InhabitedPageTests(Browser browser)
     [Behaviour("workbench.browser.cutaway-behind-a-house", "design.md, Who uses it")]
     public async Task Behind_a_house_the_player_is_seen_through_it()
     {
-        await using Tab tab = await browser.OpenAsync(options: new BrowserNewPageOptions { DeviceScaleFactor = 0.5f });
+        await using Tab tab = await browser.OpenAsync(options: new() { Scale = 0.5f });
         await tab.GoTo("At a house's door");
         // Half a turn at 0.0055 radians a pixel, in two pulls: the camera comes to be in the house, then beyond it.
         for (int pull = 0; pull < 2; pull++)

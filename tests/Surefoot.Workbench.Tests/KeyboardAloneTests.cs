@@ -49,7 +49,7 @@ public sealed class KeyboardAloneTests(Browser browser)
     [Behaviour("workbench.page.button-keeps-the-focus", "design.md, Who uses it")]
     public async Task Space_presses_a_focused_button_which_keeps_the_focus_and_a_click_on_the_world_plays_on()
     {
-        await using Tab tab = await browser.OpenAsync();
+        await using Tab tab = await browser.BorrowAsync();
         IPage page = tab.Page;
         await TabTo(page, "toggle-shapes");
         await page.Keyboard.PressAsync("Space");
@@ -71,7 +71,7 @@ public sealed class KeyboardAloneTests(Browser browser)
     [Behaviour("workbench.page.tab-comes-to-the-way-back", "WCAG 2.2, 2.1.1 and 2.4.3")]
     public async Task Tab_comes_from_the_last_control_to_the_way_back_to_the_game_which_Enter_takes()
     {
-        await using Tab tab = await browser.OpenAsync();
+        await using Tab tab = await browser.BorrowAsync();
         IPage page = tab.Page;
         await page.Locator("#burden").FocusAsync();
         await page.Keyboard.PressAsync("Tab");
@@ -89,7 +89,7 @@ public sealed class KeyboardAloneTests(Browser browser)
     [Behaviour("workbench.page.keys-are-let-go-when-a-control-takes-the-keyboard", "design.md, Who uses it")]
     public async Task A_key_that_is_down_when_a_control_takes_the_keyboard_counts_as_let_go()
     {
-        await using Tab tab = await browser.OpenAsync();
+        await using Tab tab = await browser.BorrowAsync();
         await tab.Page.Keyboard.DownAsync("w");
         await tab.Until("window.surefoot.pose.speed > 3", "the player runs");
         await tab.Page.Keyboard.PressAsync("Tab");
@@ -149,7 +149,7 @@ public sealed class KeyboardAloneTests(Browser browser)
     [Behaviour("workbench.page.help-takes-and-gives-back-the-keyboard", "design.md, Who uses it")]
     public async Task The_help_takes_the_keyboard_and_gives_it_back_where_it_was()
     {
-        await using Tab tab = await browser.OpenAsync();
+        await using Tab tab = await browser.BorrowAsync();
         IPage page = tab.Page;
         await page.Keyboard.PressAsync("h");
         ILocator help = page.GetByRole(AriaRole.Dialog, new() { Name = "Keys" });
@@ -203,9 +203,9 @@ public sealed class KeyboardAloneTests(Browser browser)
     [Behaviour("workbench.page.reduced-motion", "CSS Media Queries 5, 12.1")]
     public async Task Who_asks_for_less_motion_gets_no_sway_no_glide_and_no_animation()
     {
-        await using Tab moving = await browser.OpenAsync();
+        await using Tab moving = await browser.BorrowAsync();
         Assert.True(await moving.Number("window.surefoot.breeze") > 0);
-        await using Tab calm = await browser.OpenAsync(options: new BrowserNewPageOptions { ReducedMotion = ReducedMotion.Reduce });
+        await using Tab calm = await browser.OpenAsync(options: new() { Motion = ReducedMotion.Reduce });
         Assert.Equal(0, await calm.Number("window.surefoot.breeze"));
         await calm.GoTo("The lake shore");
         Assert.Equal("none", (await calm.Read("getComputedStyle(document.querySelector('#toasts p')).animationName")).GetString());

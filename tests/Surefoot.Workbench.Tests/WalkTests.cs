@@ -91,7 +91,7 @@ public sealed class WalkTests(Browser browser)
     public async Task The_map_shows_ground_houses_and_the_way_and_widens_with_it()
     {
         await using Tab tab = await browser.OpenAsync(
-            "?at=At%20a%20house's%20door", new() { ViewportSize = new() { Width = 1280, Height = 720 }, DeviceScaleFactor = 1 });
+            "?at=At%20a%20house's%20door", new() { Width = 1280, Height = 720, Scale = 1 });
         await tab.Until("window.surefoot.shapes > 0 && window.surefoot.blocks > 8", "the land is drawn");
         ILocator map = tab.Page.Locator("#map-view");
         await Assertions.Expect(map).ToBeVisibleAsync();

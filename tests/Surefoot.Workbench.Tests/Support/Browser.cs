@@ -1,4 +1,5 @@
 using System.Collections.Concurrent;
+using System.Globalization;
 using System.Text.Json;
 using Microsoft.Playwright;
 using Surefoot.Workbench.Simulation;
@@ -27,6 +28,7 @@ public sealed class Browser : IAsyncLifetime
         "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
     ];
 
+    private Tab? lent;
     private IPlaywright? playwright;
     private IBrowser? browser;
     private WorkbenchServer? server;
@@ -70,23 +72,38 @@ public sealed class Browser : IAsyncLifetime
     /// <summary>A tab on the shared workbench, when its player is drawn.</summary>
     /// <param name="query">What the link says.</param>
     /// <param name="options">What kind of page.</param>
-    internal Task<Tab> OpenAsync(string query = "", BrowserNewPageOptions? options = null) => OpenAsync(server, query, options);
+    internal Task<Tab> OpenAsync(string query = "", PageKind? options = null) => OpenAsync(server, query, options);
+
+    /// <summary>
+    /// A tab on the shared workbench whose player stands at the start. To open one is dear, so that it is one that another test has used
+    /// before, as far as nothing on it tells of that.
+    /// </summary>
+    internal async Task<Tab> BorrowAsync()
+    {
+        if (lent is null) lent = await OpenAsync();
+        else await lent.BeginAnewAsync();
+        lent.IsLent = true;
+        return lent;
+    }
 
     /// <summary>A tab on a workbench, when its player is drawn.</summary>
     /// <param name="played">The workbench.</param>
     /// <param name="query">What the link says.</param>
     /// <param name="options">What kind of page.</param>
-    internal async Task<Tab> OpenAsync(WorkbenchServer? played, string query = "", BrowserNewPageOptions? options = null)
+    internal async Task<Tab> OpenAsync(WorkbenchServer? played, string query = "", PageKind? options = null)
     {
         SkipWithout(browser);
-        options ??= new BrowserNewPageOptions();
-        options.ViewportSize ??= new ViewportSize { Width = Width, Height = Height };
-        // Few pixels: what is asked is what is drawn where, and the processor draws it.
-        options.DeviceScaleFactor ??= 0.25f;
-        IPage page = await browser!.NewPageAsync(options);
-        Tab tab = new(page);
-        await page.GotoAsync(played!.Address.AbsoluteUri + query);
-        await tab.Until("window.surefoot?.ready === true", "the player is drawn");
+        options ??= new PageKind();
+        IPage page = await browser!.NewPageAsync(new BrowserNewPageOptions
+        {
+            ViewportSize = new() { Width = options.Width, Height = options.Height },
+            DeviceScaleFactor = options.Scale,
+            HasTouch = options.Touch,
+            IsMobile = options.Touch,
+            ReducedMotion = options.Motion,
+        });
+        Tab tab = new(page, played!.Address);
+        await tab.Load(query);
         return tab;
     }
 
@@ -94,6 +111,25 @@ public sealed class Browser : IAsyncLifetime
         what is null,
         "There is no Chromium on this machine, so the page was not tried in a browser. " +
         "Install it (Debian: apt-get install chromium) or name one in SUREFOOT_CHROMIUM.");
+}
+
+/// <summary>What kind of page.</summary>
+internal sealed record PageKind
+{
+    /// <summary>CSS pixels.</summary>
+    public int Width { get; init; } = Browser.Width;
+
+    /// <summary>CSS pixels.</summary>
+    public int Height { get; init; } = Browser.Height;
+
+    /// <summary>Pixels drawn for each CSS pixel. Few: what is asked is what is drawn where, and the processor draws it.</summary>
+    public float Scale { get; init; } = 0.25f;
+
+    /// <summary>It is a telephone's.</summary>
+    public bool Touch { get; init; }
+
+    /// <summary>What the person asks for.</summary>
+    public ReducedMotion? Motion { get; init; }
 }
 
 /// <summary>Tests in a browser run one after the other: two that draw in software at once would be slow enough to matter.</summary>
@@ -108,9 +144,12 @@ internal sealed class Tab : IAsyncDisposable
 {
     private readonly List<string> complaints = [];
 
-    public Tab(IPage page)
+    private readonly Uri address;
+
+    public Tab(IPage page, Uri address)
     {
         Page = page;
+        this.address = address;
         page.Console += (_, message) =>
         {
             if (message.Type == "error") complaints.Add(message.Text);
@@ -122,6 +161,50 @@ internal sealed class Tab : IAsyncDisposable
 
     /// <summary>Errors on the browser's console, a shader that does not compile among them.</summary>
     public IReadOnlyList<string> Complaints => complaints;
+
+    /// <summary>It belongs to all tests: whoever has used it leaves it open.</summary>
+    public bool IsLent { get; set; }
+
+    /// <summary>The player is put to the start. A page on which something else is left of what was done is opened anew.</summary>
+    public async Task BeginAnewAsync()
+    {
+        complaints.Clear();
+        foreach (string key in new[] { "w", "a", "s", "d", "q", "e", "r", "Shift", "Space", "ArrowUp" }) await Page.Keyboard.UpAsync(key);
+        await Page.Mouse.UpAsync();
+        await Page.Mouse.UpAsync(new() { Button = MouseButton.Right });
+        const string Untouched =
+            """
+            window.surefoot?.covered === null && window.surefoot.playing && window.surefoot.notice === "" &&
+            window.surefoot.events.length === 0 && document.getElementById("toasts").childElementCount === 0 &&
+            document.getElementById("help").hidden && document.getElementById("run-skill").value === "300" &&
+            document.getElementById("jump-skill").value === "250" && document.getElementById("burden").value === "0" &&
+            document.getElementById("goto-box").value === "" &&
+            [...document.querySelectorAll("[data-toggle], .fold h2 button")].every((one) =>
+              (one.ariaPressed ?? one.ariaExpanded) === String(!["triangles", "shapes"].includes(one.dataset.toggle))) &&
+            window.surefoot.camera.orbit === 0 && window.surefoot.camera.zoom === 6.5 &&
+            new URLSearchParams(location.search).size <= 1
+            """;
+        if (!(await Read(Untouched)).GetBoolean())
+        {
+            await Load();
+            return;
+        }
+
+        double teleports = await Number("window.surefoot.pose.teleports");
+        await Page.EvaluateAsync("() => window.surefoot.sendRaw([3, 0, 0])");
+        string count = ((teleports + 1) % 256).ToString(CultureInfo.InvariantCulture);
+        await Until(
+            $"window.surefoot.pose.teleports === {count} && window.surefoot.drawn?.teleports === {count} && window.surefoot.pose.speed === 0",
+            "the player stands at the start");
+    }
+
+    /// <summary>Opens a link, and waits until its player is drawn.</summary>
+    /// <param name="query">What the link says.</param>
+    public async Task Load(string query = "")
+    {
+        await Page.GotoAsync(address.AbsoluteUri + query);
+        await Until("window.surefoot?.ready === true", "the player is drawn");
+    }
 
     public async Task<JsonElement> Read(string expression) =>
         JsonDocument.Parse(await Page.EvaluateAsync<string>($"() => JSON.stringify({expression} ?? null)")).RootElement;
@@ -153,5 +236,8 @@ internal sealed class Tab : IAsyncDisposable
             $"the player is at {place}");
     }
 
-    public async ValueTask DisposeAsync() => await Page.CloseAsync();
+    public async ValueTask DisposeAsync()
+    {
+        if (!IsLent) await Page.CloseAsync();
+    }
 }
