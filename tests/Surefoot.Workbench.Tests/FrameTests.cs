@@ -1,6 +1,7 @@
 using System.Numerics;
 using System.Text.Json;
 using CsCheck;
+using Surefoot.Protocol.Session;
 using Surefoot.Workbench.Simulation;
 using Surefoot.Workbench.Wire;
 
@@ -56,12 +57,18 @@ public sealed class FrameTests
         Assert.True(ClientFrame.TryParse(Bytes("placeOnGround"), Places, out ClientFrame onGround));
         Assert.Equal(at with { Position = at.Position with { Z = float.NaN } }, onGround);
 
+        Assert.True(ClientFrame.TryParse(Bytes("network"), Places, out ClientFrame network));
+        Assert.Equal(new ClientFrame(FrameKind.Network, On: true, Network: new NetworkQuality(0.2, 0.1, 0.05)), network);
+        Assert.True(ClientFrame.TryParse(Bytes("creature"), Places, out ClientFrame creature));
+        Assert.Equal(new ClientFrame(FrameKind.Creature, Body: 0x80000001, Wish: CreatureWish.Flee), creature);
+        Assert.Equal(
+            Bytes("truth"), ServerFrames.Truth(12.5, [new TruePlace(0x80000001, 0xA9B40025, new Vector3(100, -1.5f, 20), 1)]));
         Assert.True(ClientFrame.TryParse(Bytes("askWalk"), Places, out ClientFrame askWalk));
         Assert.Equal(new ClientFrame(FrameKind.AskWalk), askWalk);
         Assert.Equal(Bytes("walk"), ServerFrames.Walk(new WalkReport("W 3 ", "é.")));
         Assert.Equal(Bytes("welcome"), ServerFrames.Welcome(7, new PlayerSettings(300, 250, 7000), 15_000, 9, 2));
         Assert.Equal(Bytes("pose"), ServerFrames.Pose(SamplePose, 9, 10, 3));
-        Assert.Equal(Bytes("others"), ServerFrames.Others(12.5, 1, [(1, default), (2, SamplePose)]));
+        Assert.Equal(Bytes("others"), ServerFrames.Others(12.5, [(2, SamplePose)]));
         Assert.Equal(Bytes("event"), ServerFrames.Event(new PlayerEvent(PlayerEventKind.JumpRefused, 12.5, 2, 73)));
         Assert.Equal(Bytes("bodies"), ServerFrames.Bodies(12.5, SampleBodies));
         Assert.Equal(
@@ -98,6 +105,13 @@ public sealed class FrameTests
     [InlineData("07 00")]
     [InlineData("08 00")]
     [InlineData("0a 00")]
+    [InlineData("0b c800 6400 3200 02")]
+    [InlineData("0b e903 6400 3200 00")]
+    [InlineData("0b c800 e903 3200 00")]
+    [InlineData("0b c800 6400 f501 00")]
+    [InlineData("0b c800 6400 3200")]
+    [InlineData("0c 01000080 04")]
+    [InlineData("0c 01000080")]
     [InlineData("09 2500b4a9 0000c842 0000c0bf 0000a041")]
     [InlineData("09 2500b4a9 0000c07f 0000c0bf 0000a041 0000803f")]
     [InlineData("09 2500b4a9 0000c842 0000807f 0000a041 0000803f")]

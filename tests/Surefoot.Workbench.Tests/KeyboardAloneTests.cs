@@ -73,12 +73,12 @@ public sealed class KeyboardAloneTests(Browser browser)
     {
         await using Tab tab = await browser.BorrowAsync();
         IPage page = tab.Page;
-        await page.Locator("#burden").FocusAsync();
+        await page.Locator("#toggle-truth").FocusAsync();
         await page.Keyboard.PressAsync("Tab");
         Assert.Equal("back", await Focused(page));
         Assert.True(await page.Locator("#back").IsVisibleAsync());
         await page.Keyboard.PressAsync("Shift+Tab");
-        Assert.Equal("burden", await Focused(page));
+        Assert.Equal("toggle-truth", await Focused(page));
         await page.Keyboard.PressAsync("Tab");
         await page.Keyboard.PressAsync("Enter");
         Assert.True((await tab.Read("window.surefoot.playing")).GetBoolean());
@@ -137,7 +137,8 @@ public sealed class KeyboardAloneTests(Browser browser)
             "- application \"The world, seen from behind your player\"", "- combobox \"Go to\"", "- group \"What is shown\"",
             "- button \"Mouse turning\" [pressed]",
             "- button \"Physics\" [expanded]", "- button \"Copy as surefoot walk\"", "img \"Map from above",
-            "- slider \"Run skill\"", "- slider \"Jump skill\"", "- slider \"Burden\"",
+            "- slider \"Run skill\"", "- slider \"Jump skill\"", "- slider \"Burden\"", "- slider \"Delay\"", "- slider \"Jitter\"",
+            "- slider \"Loss\"", "- button \"True places\"",
             "- button \"Put this line away\"", "- heading \"Surefoot\"",
         })
             Assert.Contains(expected, tree, StringComparison.Ordinal);

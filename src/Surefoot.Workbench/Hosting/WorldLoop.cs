@@ -20,7 +20,8 @@ internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters co
 
     private readonly Channel<(PageConnection Page, bool Enters)> doors = Channel.CreateUnbounded<(PageConnection, bool)>();
     private readonly List<Seat> seats = [];
-    private readonly List<(uint Id, PlayerPose Pose)> poses = [];
+    private readonly List<(uint Id, PlayerPose Pose)> others = [];
+    private readonly List<TruePlace> truth = [];
     private readonly List<BodyPose> bodies = [];
     private readonly List<MovingPart> moving = [];
     private readonly long epoch = clock.GetTimestamp();
@@ -195,6 +196,12 @@ internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters co
             case FrameKind.AskWalk:
                 seat.Page.Send(ServerFrames.Walk(seat.Player.Walk));
                 break;
+            case FrameKind.Network:
+                seat.Player.UseNetwork(frame.Network, frame.On);
+                break;
+            case FrameKind.Creature:
+                seat.Player.Ask(frame.Body, frame.Wish);
+                break;
             case FrameKind.Pointer:
                 seat.Player.MovePointer(frame.Buttons, frame.Right, now);
                 break;
@@ -212,17 +219,18 @@ internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters co
 
     private void Tell(double now)
     {
-        poses.Clear();
-        foreach (Seat seat in seats) poses.Add((seat.Id, seat.Player.Pose));
-        for (int i = 0; i < seats.Count; i++)
+        foreach (Seat seat in seats)
         {
-            Seat seat = seats[i];
-            PlayerPose pose = poses[i].Pose;
+            PlayerPose pose = seat.Player.Pose;
             PosePublished?.Invoke(seat.Id, tick, pose);
             while (seat.Player.TryTakeEvent(out PlayerEvent happened)) seat.Page.Send(ServerFrames.Event(happened));
             seat.Page.Send(ServerFrames.Pose(pose, tick, seat.Sequence, seats.Count));
-            if (seats.Count > 1 || seat.HadCompany) seat.Page.Send(ServerFrames.Others(now, seat.Id, poses));
-            seat.HadCompany = seats.Count > 1;
+            world.LookAtPlayers(seat.Player, others);
+            if (others.Count > 0 || seat.HadCompany) seat.Page.Send(ServerFrames.Others(now, others));
+            seat.HadCompany = others.Count > 0;
+            world.LookAtTruth(seat.Player, truth);
+            if (truth.Count > 0 || seat.KnewTruth) seat.Page.Send(ServerFrames.Truth(now, truth));
+            seat.KnewTruth = truth.Count > 0;
             world.Look(seat.Player, bodies);
             if (IsNews(seat.Bodies, bodies)) seat.Page.Send(ServerFrames.Bodies(now, bodies));
             world.LookAtParts(seat.Player, moving);
@@ -265,5 +273,8 @@ internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters co
 
         /// <summary>Whether the last frame of others listed anyone; one empty frame follows the last of them.</summary>
         public bool HadCompany { get; set; }
+
+        /// <summary>The same of the frame of true places.</summary>
+        public bool KnewTruth { get; set; }
     }
 }

@@ -48,3 +48,10 @@ internal enum BodyFlags : byte
 internal readonly record struct BodyPose(
     uint Id, BodyKind Kind, BodyFlags Flags, string Name, uint CellId, Vector3 Position, float Yaw, Vector3 Velocity, float Scale,
     Vector3 Size);
+
+/// <summary>Where a body is in truth, of which a page hears by messages.</summary>
+/// <param name="Id">Id of the body, or of the player.</param>
+/// <param name="CellId">Cell.</param>
+/// <param name="Position">Metres in the landblock.</param>
+/// <param name="Yaw">Radians about z, counter-clockwise from north.</param>
+internal readonly record struct TruePlace(uint Id, uint CellId, Vector3 Position, float Yaw);

@@ -1,4 +1,5 @@
 using System.Numerics;
+using Surefoot.Protocol.Session;
 using Surefoot.Workbench.Wire;
 
 namespace Surefoot.Workbench.Simulation;
@@ -31,7 +32,17 @@ internal interface IWorkbenchWorld : IDisposable
     /// <summary>Brings the world to <paramref name="now"/>; true when a tick of the physics was made.</summary>
     bool Advance(double now);
 
-    /// <summary>Lists the bodies near a player that are no players, in the order of their ids.</summary>
+    /// <summary>Lists the other players as a player's page sees them, in the order of their coming.</summary>
+    /// <param name="player">Who looks.</param>
+    /// <param name="near">Is filled anew.</param>
+    void LookAtPlayers(IWorkbenchPlayer player, List<(uint Id, PlayerPose Pose)> near);
+
+    /// <summary>Lists where the others that a player's page sees are in truth; nothing where it does not want to know.</summary>
+    /// <param name="player">Who looks.</param>
+    /// <param name="near">Is filled anew.</param>
+    void LookAtTruth(IWorkbenchPlayer player, List<TruePlace> near);
+
+    /// <summary>Lists the bodies near a player that are no players, as its page sees them, in the order of their ids.</summary>
     /// <param name="player">Who looks.</param>
     /// <param name="near">Is filled anew.</param>
     void Look(IWorkbenchPlayer player, List<BodyPose> near);
@@ -85,6 +96,14 @@ internal interface IWorkbenchPlayer
 
     /// <summary>Opens or closes the nearest door within reach, if there is one.</summary>
     void Use(double now);
+
+    /// <summary>A creature is to do something from now on.</summary>
+    /// <param name="creature">Id of its body.</param>
+    /// <param name="wish">What.</param>
+    void Ask(uint creature, CreatureWish wish);
+
+    /// <summary>How bad the network is over which the page hears of others, and whether it wants to know where they are in truth.</summary>
+    void UseNetwork(NetworkQuality quality, bool showsTruth);
 
     /// <summary>The oldest event not yet taken.</summary>
     bool TryTakeEvent(out PlayerEvent happened);

@@ -6,6 +6,7 @@ using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.World;
+using Surefoot.Server;
 
 namespace Surefoot.Workbench.Simulation;
 
@@ -24,6 +25,7 @@ internal sealed class Inhabitants
     private const double OpenFor = 6;
     private const double RetryAfter = 1;
 
+    private readonly PhysicsEngine engine;
     private readonly List<Inhabitant> all = [];
     private readonly Dictionary<uint, Inhabitant> byId = [];
     private double retryAt = double.NegativeInfinity;
@@ -37,6 +39,7 @@ internal sealed class Inhabitants
     /// <exception cref="DatFormatException">One of them is malformed.</exception>
     public Inhabitants(PhysicsEngine engine, PhysicsDataCache cache, IReadOnlyList<DemoSpawn> spawns, ulong seed)
     {
+        this.engine = engine;
         Dictionary<(uint Id, bool WithParts), MotionTableAsset> tables = [];
         for (int i = 0; i < spawns.Count; i++)
         {
@@ -62,7 +65,7 @@ internal sealed class Inhabitants
     {
         foreach (Inhabitant one in all)
         {
-            one.Wanderer?.Act(now);
+            one.Mind?.Act(now);
             if (now >= one.ClosesAt) Close(one);
         }
 
@@ -73,6 +76,18 @@ internal sealed class Inhabitants
         foreach (Inhabitant one in all)
             if (one.Body is { HasCell: false, IsLost: false }) one.Body.EnterWorld(one.Home);
     }
+
+    /// <summary>They look how that goes; after the world's tick.</summary>
+    public void LookOn()
+    {
+        foreach (Inhabitant one in all) one.Mind?.LookOn();
+    }
+
+    /// <summary>A person wants a creature to do something. Nothing happens where there is no such creature.</summary>
+    /// <param name="body">Id of its body.</param>
+    /// <param name="wish">What it is to do.</param>
+    /// <param name="player">Id of the person's player.</param>
+    public void Ask(uint body, CreatureWish wish, uint player) => Find(body)?.Mind?.Ask(wish, player, engine.Now);
 
     /// <summary>Opens the nearest door within reach, or closes it again; true when there is one.</summary>
     /// <param name="from">Where the one is who reaches.</param>
@@ -117,6 +132,9 @@ internal sealed class Inhabitants
 /// <summary>One of them.</summary>
 internal sealed class Inhabitant
 {
+    /// <summary>How fast they run when they must, as a factor of their motions' own speed: as a player of some skill.</summary>
+    private const float RunRate = 2f;
+
     public Inhabitant(PhysicsEngine engine, uint id, DemoSpawn spawn, SetupAsset setup, MotionTableAsset? table, ulong seed)
     {
         Name = spawn.Name;
@@ -137,7 +155,18 @@ internal sealed class Inhabitant
             motions: creature ? new BodyMotions(table, new OtherWeenie()) : null);
         Size = ShapeSize.Of(setup, Body.Scale);
         if (!creature) return;
-        if (Kind == BodyKind.Wanderer) Wanderer = new Wanderer(Body, engine.MovementOf(Body)!, home, spawn.WanderRadius, seed);
+        Seen = new SeenCreature(Body, setup, spawn.Name);
+        CreatureDriver driver = new(engine, Body, Seen, new CreatureDriverOptions { RunRate = RunRate, Stamps = Seen.Stamps });
+        Mind = new CreatureMind(driver, home, Kind == BodyKind.Wanderer ? spawn.WanderRadius : 0, OnGround, seed);
+
+        Position? OnGround(Position place)
+        {
+            if (!place.AdjustToOutside() || engine.World.FindLandblock(place.CellId) is not { } block) return null;
+            Vector3 at = place.Frame.Origin;
+            if (!block.Terrain.TryGetHeight(at.X, at.Y, out float height)) return null;
+            place.Frame.Origin.Z = height;
+            return place;
+        }
     }
 
     /// <summary>Unique name.</summary>
@@ -155,8 +184,11 @@ internal sealed class Inhabitant
     /// <summary>Extent of its collision shape along its own axes, metres.</summary>
     public Vector3 Size { get; }
 
-    /// <summary>Its wits, when it wanders.</summary>
-    public Wanderer? Wanderer { get; }
+    /// <summary>Its wits; a door has none.</summary>
+    public CreatureMind? Mind { get; }
+
+    /// <summary>What pages are told of it; a door is shown as it is.</summary>
+    public SeenCreature? Seen { get; }
 
     /// <summary>A door that lets everybody through.</summary>
     public bool IsOpen => Kind == BodyKind.Door && (Body.State & PhysicsState.Ethereal) != 0;

@@ -1,11 +1,13 @@
 using System.Numerics;
 using Surefoot.Client;
+using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.Steering;
 using Surefoot.Physics.World;
 using Surefoot.Protocol.Messages;
+using Surefoot.Protocol.Session;
 using Surefoot.Server;
 using Surefoot.Workbench.Wire;
 
@@ -33,6 +35,8 @@ internal sealed class SimulatedPlayer(
     private readonly TouchReader reader = new(nameOf);
     private readonly WalkRecorder walk = new(settings);
     private LocalPlayer? player;
+    private SeenPlayer? seen;
+    private Viewer? viewer;
     private SimulatedWorld? world;
     private uint settledCell;
     private PlayerKeys held;
@@ -54,6 +58,15 @@ internal sealed class SimulatedPlayer(
     /// <inheritdoc/>
     public WalkReport Walk => new(walk.Command(World.DatFolder), walk.LeftOut);
 
+    /// <summary>What other pages are told of it.</summary>
+    public SeenPlayer Seen => seen ?? throw new InvalidOperationException("The player has not entered the world.");
+
+    /// <summary>The others as its page sees them.</summary>
+    public Viewer Viewer => viewer ?? throw new InvalidOperationException("The player has not entered the world.");
+
+    /// <summary>Its page wants to be shown where the others are in truth.</summary>
+    public bool WantsTruth { get; private set; }
+
     /// <summary>The player in the physics.</summary>
     public LocalPlayer Player => player ?? throw new InvalidOperationException("The player has not entered the world.");
 
@@ -74,10 +87,14 @@ internal sealed class SimulatedPlayer(
     /// <summary>Takes over the player, once it is in the world.</summary>
     /// <param name="entered">The player.</param>
     /// <param name="around">The world that loads what it may reach.</param>
+    /// <param name="shape">Its shape.</param>
+    /// <param name="sight">The others as its page sees them.</param>
     /// <param name="now">Seconds.</param>
-    public void Enter(LocalPlayer entered, SimulatedWorld around, double now)
+    public void Enter(LocalPlayer entered, SimulatedWorld around, SetupAsset shape, Viewer sight, double now)
     {
         player = entered;
+        seen = new SeenPlayer(player, shape, $"Player {player.Body.Id}", server.RunRate);
+        viewer = sight;
         player.Controller.MouseTurning.Inverted = true;
         player.Controller.MouseTurning.Sensitivity = PointerSensitivity;
         world = around;
@@ -141,6 +158,7 @@ internal sealed class SimulatedPlayer(
     public void Configure(PlayerSettings changed, double now)
     {
         server.SetStats(StatsOf(changed), now);
+        Seen.Broadcast.ChangeRunRate(server.RunRate);
         walk.Configure(changed);
     }
 
@@ -156,6 +174,7 @@ internal sealed class SimulatedPlayer(
         }
 
         teleports++;
+        Seen.Teleported(now);
         speed.Reset();
         walk.Place(Player.Body.Position);
         Observe(now);
@@ -166,6 +185,16 @@ internal sealed class SimulatedPlayer(
     {
         World.UseDoor(this, now);
         walk.Miss("the door");
+    }
+
+    /// <inheritdoc/>
+    public void Ask(uint creature, CreatureWish wish) => World.Ask(this, creature, wish);
+
+    /// <inheritdoc/>
+    public void UseNetwork(NetworkQuality quality, bool showsTruth)
+    {
+        Viewer.Quality = quality;
+        WantsTruth = showsTruth;
     }
 
     /// <inheritdoc/>
@@ -230,7 +259,15 @@ internal sealed class SimulatedPlayer(
         else touches.Clear();
     }
 
-    void IMovementObserver.OnJump(in Jump message, double now) => Happen(new PlayerEvent(PlayerEventKind.Jumped, now, message.Extent));
+    void IMovementObserver.OnMoveToState(in MoveToState message, double now) => seen?.Broadcast.Take(message, now);
+
+    void IMovementObserver.OnAutonomousPosition(in AutonomousPosition message, double now) => seen?.Broadcast.Take(message, now);
+
+    void IMovementObserver.OnJump(in Jump message, double now)
+    {
+        seen?.Broadcast.Take(message);
+        Happen(new PlayerEvent(PlayerEventKind.Jumped, now, message.Extent));
+    }
 
     private static MovementKeys Translate(PlayerKeys held)
     {

@@ -6,7 +6,6 @@ using Surefoot.Dats.Records;
 using Surefoot.DemoWorld;
 using Surefoot.Physics;
 using Surefoot.Physics.Assets;
-using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.World;
 using Surefoot.Server;
@@ -20,7 +19,7 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     private const int KeepRadius = 3;
     private const ulong WandererSeed = 1;
 
-    /// <summary>How far from a player bodies are shown to it, metres.</summary>
+    /// <summary>How far from a player moving parts are shown to it, metres.</summary>
     private const double ShownWithin = 160;
 
     /// <summary>How long the server in this process takes to answer, seconds: enough to see that a new skill waits for it.</summary>
@@ -36,6 +35,8 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     private readonly Arrival arrival;
     private readonly ILogger logger;
     private readonly List<SimulatedPlayer> players = [];
+    private readonly List<ISeenObject> seen;
+    private readonly DatObjectAssets seenAssets;
     private readonly List<uint> leaving = [];
     private volatile LeftOutNotice leftOut = LeftOutNotice.Nothing;
 
@@ -62,6 +63,8 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
         human = cache.GetSetup(HumanSetup);
         humanMotions = MotionTableLoader.LoadFor(dats, human, leftOut: land.LeftOut);
         inhabitants = new Inhabitants(engine, cache, spawns, WandererSeed);
+        seen = [.. inhabitants.All.Select(one => one.Seen).OfType<ISeenObject>()];
+        seenAssets = new DatObjectAssets(cache, land.LeftOut, movesHands: false);
         arrival = new Arrival(engine, land, human, cellId => LoadAround(cellId, 1));
         PhysicsWorld view = new PhysicsEngine(cache, new PhysicsEngineOptions { Region = land.Region }).World;
         Places = [.. places.Where(place => view.LoadLandblock(place.CellId) && view.GetVisible(place.CellId) is not null).Select(OnGround)];
@@ -95,8 +98,10 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
         SimulatedPlayer player = new(server, settings, NameOf);
         LocalPlayer? spawned = LocalPlayer.Spawn(
             engine, id, human, humanMotions, position, server, new LocalPlayerOptions { Observer = player, Trace = player.Trace });
-        player.Enter(spawned ?? throw new InvalidOperationException($"There is no room for a player at {place.Name}."), this, now);
+        if (spawned is null) throw new InvalidOperationException($"There is no room for a player at {place.Name}.");
+        player.Enter(spawned, this, human, new Viewer(id, cache, land.Region, seenAssets, human, engine.Now), now);
         players.Add(player);
+        seen.Add(player.Seen);
         return player;
     }
 
@@ -104,7 +109,11 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     public void Leave(IWorkbenchPlayer player)
     {
         SimulatedPlayer gone = (SimulatedPlayer)player;
-        if (players.Remove(gone)) engine.RemoveBody(gone.Player.Body);
+        if (!players.Remove(gone)) return;
+        gone.Viewer.ForgetAll();
+        seen.Remove(gone.Seen);
+        foreach (SimulatedPlayer other in players) other.Viewer.Forget(gone.Seen.Id);
+        engine.RemoveBody(gone.Player.Body);
     }
 
     /// <inheritdoc/>
@@ -113,33 +122,27 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
         foreach (SimulatedPlayer player in players) player.BeforeTick(now);
         inhabitants.Act(now);
         if (!engine.Tick(now)) return false;
+        inhabitants.LookOn();
         foreach (SimulatedPlayer player in players)
         {
             player.AfterTick(now);
             if (player.EnteredBlock(out uint cellId)) Resettle(cellId);
         }
 
+        foreach (SimulatedPlayer player in players) player.Viewer.Tick(player.Player.Body.Position, seen, now);
         return true;
     }
 
     /// <inheritdoc/>
-    public void Look(IWorkbenchPlayer player, List<BodyPose> near)
-    {
-        near.Clear();
-        Position from = ((SimulatedPlayer)player).Player.Body.Position;
-        foreach (Inhabitant one in inhabitants.All)
-        {
-            if (!one.Body.HasCell || one.Body.Position.DistanceTo(from) > ShownWithin) continue;
-            Position place = one.Body.Position;
-            BodyFlags flags = BodyFlags.None;
-            if (one.IsOpen) flags |= BodyFlags.Open;
-            if ((one.Body.Transient & TransientState.CheckEthereal) != 0) flags |= BodyFlags.WaitsToClose;
-            if (one.Kind != BodyKind.Door && !one.Body.HasContact) flags |= BodyFlags.Airborne;
-            near.Add(new BodyPose(
-                one.Body.Id, one.Kind, flags, one.Name, place.CellId, place.Frame.Origin, PlayerPose.YawOf(place),
-                one.Body.IsActive ? one.Body.AchievedVelocity : Vector3.Zero, one.Body.Scale, one.Size));
-        }
-    }
+    public void Look(IWorkbenchPlayer player, List<BodyPose> near) =>
+        Sight.Bodies((SimulatedPlayer)player, inhabitants.All, near);
+
+    /// <inheritdoc/>
+    public void LookAtPlayers(IWorkbenchPlayer player, List<(uint Id, PlayerPose Pose)> near) =>
+        Sight.Players((SimulatedPlayer)player, players, near);
+
+    /// <inheritdoc/>
+    public void LookAtTruth(IWorkbenchPlayer player, List<TruePlace> near) => Sight.Truth((SimulatedPlayer)player, seen, near);
 
     /// <inheritdoc/>
     public void LookAtParts(IWorkbenchPlayer player, List<MovingPart> near)
@@ -207,6 +210,9 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
             position = arrival.Beside(position, [.. players.Where(other => other != player).Select(other => other.Player.Body)]);
         return refusal;
     }
+
+    /// <summary>A player wants a creature to do something.</summary>
+    internal void Ask(SimulatedPlayer player, uint creature, CreatureWish wish) => inhabitants.Ask(creature, wish, player.Seen.Id);
 
     /// <summary>The nearest door within a player's reach opens, or closes.</summary>
     internal void UseDoor(SimulatedPlayer player, double now) => inhabitants.UseDoor(player.Player.Body.Position, now);

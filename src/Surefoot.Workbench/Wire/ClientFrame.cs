@@ -1,5 +1,6 @@
 using System.Buffers.Binary;
 using System.Numerics;
+using Surefoot.Protocol.Session;
 using Surefoot.Workbench.Simulation;
 
 namespace Surefoot.Workbench.Wire;
@@ -16,7 +17,10 @@ internal readonly record struct ClientFrame(
     bool On = false,
     uint Cell = 0,
     Vector3 Position = default,
-    float Yaw = 0)
+    float Yaw = 0,
+    NetworkQuality Network = default,
+    uint Body = 0,
+    CreatureWish Wish = CreatureWish.AsItLikes)
 {
     /// <summary>Reads a frame. The bytes are untrusted: exact length, known kind, every value in its range, or false.</summary>
     /// <param name="bytes">One whole WebSocket message.</param>
@@ -60,6 +64,18 @@ internal readonly record struct ClientFrame(
                     return false;
                 frame = new ClientFrame(FrameKind.PlaceAt, Cell: BinaryPrimitives.ReadUInt32LittleEndian(body), Position: position,
                     Yaw: yaw);
+                return true;
+            case FrameKind.Network when body.Length == 7 && body[6] <= 1:
+                ushort delay = BinaryPrimitives.ReadUInt16LittleEndian(body);
+                ushort jitter = BinaryPrimitives.ReadUInt16LittleEndian(body[2..]);
+                ushort loss = BinaryPrimitives.ReadUInt16LittleEndian(body[4..]);
+                if (delay > WireLimits.MaxDelay || jitter > WireLimits.MaxDelay || loss > WireLimits.MaxLoss) return false;
+                frame = new ClientFrame(
+                    FrameKind.Network, On: body[6] == 1, Network: new NetworkQuality(delay / 1000.0, jitter / 1000.0, loss / 1000.0));
+                return true;
+            case FrameKind.Creature when body.Length == 5 && body[4] <= (byte)CreatureWish.Stand:
+                frame = new ClientFrame(
+                    FrameKind.Creature, Body: BinaryPrimitives.ReadUInt32LittleEndian(body), Wish: (CreatureWish)body[4]);
                 return true;
             case FrameKind.Use or FrameKind.AutoRun or FrameKind.FocusLost or FrameKind.AskWalk when body.IsEmpty:
                 frame = new ClientFrame((FrameKind)bytes[0]);

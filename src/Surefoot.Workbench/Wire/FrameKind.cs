@@ -43,6 +43,15 @@ internal enum FrameKind : byte
     /// <summary>Page → server, nothing more: say what the player did last. Answered by <see cref="Walk"/>.</summary>
     AskWalk = 0x0A,
 
+    /// <summary>
+    /// Page → server: <c>u16 delay, u16 jitter, u16 loss, u8 truth</c>: how bad the network is over which it hears of others,
+    /// milliseconds and thousandths, and 1 when it wants to know where they are in truth.
+    /// </summary>
+    Network = 0x0B,
+
+    /// <summary>Page → server: <c>u32 body, u8 wish</c>: what a creature is to do (<see cref="CreatureWish"/>).</summary>
+    Creature = 0x0C,
+
     /// <summary>Server → page, once and first; see <see cref="ServerFrames.Welcome"/>.</summary>
     Welcome = 0x81,
 
@@ -74,6 +83,11 @@ internal enum FrameKind : byte
 
     /// <summary>Server → page: what its player did last, as a command; see <see cref="ServerFrames.Walk"/>.</summary>
     Walk = 0x88,
+
+    /// <summary>
+    /// Server → page: where the others are in truth, after each tick, for a page that wants to know; see <see cref="ServerFrames.Truth"/>.
+    /// </summary>
+    Truth = 0x89,
 }
 
 /// <summary>The keys a player holds.</summary>
@@ -104,7 +118,7 @@ internal enum PointerButtons : byte
 internal static class WireLimits
 {
     /// <summary>Version of the frames; a page of another version reloads itself.</summary>
-    public const byte Version = 6;
+    public const byte Version = 7;
 
     /// <summary>Longest frame a page sends, bytes.</summary>
     public const int LongestClientFrame = 21;
@@ -117,6 +131,12 @@ internal static class WireLimits
 
     /// <summary>Ticks after which what has not changed is said again: a page that is slow to read loses frames.</summary>
     public const int RepeatEvery = 30;
+
+    /// <summary>Longest delay and jitter, milliseconds.</summary>
+    public const ushort MaxDelay = 1000;
+
+    /// <summary>Highest loss, thousandths.</summary>
+    public const ushort MaxLoss = 500;
 
     /// <summary>Highest skill.</summary>
     public const ushort MaxSkill = 1000;

@@ -20,6 +20,8 @@ internal static class ServerFrames
     public const int MovingHeaderLength = 11;
     public const int MovingLength = 40;
     public const int WalkHeaderLength = 9;
+    public const int TruthHeaderLength = 11;
+    public const int TruePlaceLength = 24;
 
     private const int LongestName = 255;
 
@@ -83,17 +85,15 @@ internal static class ServerFrames
     /// <c>u8 kind, f64 time, u16 count</c>, then for each <c>u32 player, u8 teleports, u8 0, u16 flags, f32 charge, u32 cell, f32[3]
     /// position, f32 yaw, f32[3] velocity, f32 forward, f32 sidestep</c> (the last two are the commands' speeds).
     /// </summary>
-    public static byte[] Others(double time, uint self, IReadOnlyList<(uint Id, PlayerPose Pose)> players)
+    public static byte[] Others(double time, IReadOnlyList<(uint Id, PlayerPose Pose)> players)
     {
-        int count = players.Count(player => player.Id != self);
-        byte[] bytes = new byte[OthersHeaderLength + (count * OtherLength)];
+        byte[] bytes = new byte[OthersHeaderLength + (players.Count * OtherLength)];
         Writer to = new(bytes);
         to.U8((byte)FrameKind.Others);
         to.F64(time);
-        to.U16((ushort)count);
+        to.U16((ushort)players.Count);
         foreach ((uint id, PlayerPose pose) in players)
         {
-            if (id == self) continue;
             to.U32(id);
             to.U8(pose.Teleports);
             to.U8(0);
@@ -202,6 +202,25 @@ internal static class ServerFrames
             to.F32(part.Rotation.Z);
             to.F32(part.Rotation.W);
             to.F32(part.Scale);
+        }
+
+        return bytes;
+    }
+
+    /// <summary><c>u8 kind, f64 time, u16 count</c>, then for each <c>u32 id, u32 cell, f32[3] position, f32 yaw</c>.</summary>
+    public static byte[] Truth(double time, IReadOnlyList<TruePlace> places)
+    {
+        byte[] bytes = new byte[TruthHeaderLength + (places.Count * TruePlaceLength)];
+        Writer to = new(bytes);
+        to.U8((byte)FrameKind.Truth);
+        to.F64(time);
+        to.U16((ushort)places.Count);
+        foreach (TruePlace place in places)
+        {
+            to.U32(place.Id);
+            to.U32(place.CellId);
+            to.Vector(place.Position);
+            to.F32(place.Yaw);
         }
 
         return bytes;

@@ -178,13 +178,15 @@ internal sealed class Tab : IAsyncDisposable
             window.surefoot.events.length === 0 && document.getElementById("toasts").childElementCount === 0 &&
             document.getElementById("help").hidden && document.getElementById("run-skill").value === "300" &&
             document.getElementById("jump-skill").value === "250" && document.getElementById("burden").value === "0" &&
+            ["delay", "jitter", "loss"].every((one) => document.getElementById(`net-${one}`).value === "0") &&
+            window.surefoot.creature === null &&
             document.getElementById("goto-box").value === "" &&
             [...document.querySelectorAll("[data-toggle], .fold h2 button")].every((one) =>
-              (one.ariaPressed ?? one.ariaExpanded) === String(!["triangles", "shapes"].includes(one.dataset.toggle))) &&
+              (one.ariaPressed ?? one.ariaExpanded) === String(!["triangles", "shapes", "truth"].includes(one.dataset.toggle))) &&
             window.surefoot.camera.orbit === 0 && window.surefoot.camera.zoom === 6.5 &&
             new URLSearchParams(location.search).size <= 1
             """;
-        if (!(await Read(Untouched)).GetBoolean())
+        if (!(await Read($"({Untouched})")).GetBoolean())
         {
             await Load();
             return;

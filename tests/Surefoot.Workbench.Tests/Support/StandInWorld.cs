@@ -1,5 +1,6 @@
 using System.Collections.Concurrent;
 using System.Numerics;
+using Surefoot.Protocol.Session;
 using Surefoot.Workbench.Simulation;
 using Surefoot.Workbench.Wire;
 
@@ -39,7 +40,7 @@ internal sealed class StandInWorld : IWorkbenchWorld
 
     public IWorkbenchPlayer Join(uint id, PlayerSettings settings, WorkbenchPlace place, double now)
     {
-        StandInPlayer player = new(settings, place, now, () => doorIsOpen = !doorIsOpen);
+        StandInPlayer player = new(id, settings, place, now, () => doorIsOpen = !doorIsOpen);
         players.Add(player);
         return player;
     }
@@ -68,6 +69,21 @@ internal sealed class StandInWorld : IWorkbenchWorld
         last = now;
         foreach (StandInPlayer player in players) player.Advance(quantum, now);
         return true;
+    }
+
+    public void LookAtPlayers(IWorkbenchPlayer player, List<(uint Id, PlayerPose Pose)> near)
+    {
+        near.Clear();
+        foreach (StandInPlayer other in players)
+            if (other != player) near.Add((other.Id, other.Pose));
+    }
+
+    public void LookAtTruth(IWorkbenchPlayer player, List<TruePlace> near)
+    {
+        near.Clear();
+        foreach (StandInPlayer other in players)
+            if (other != player && ((StandInPlayer)player).WantsTruth)
+                near.Add(new TruePlace(other.Id, other.Pose.CellId, other.Pose.Position, other.Pose.Yaw));
     }
 
     public void Look(IWorkbenchPlayer player, List<BodyPose> near)
@@ -105,7 +121,7 @@ internal sealed class StandInWorld : IWorkbenchWorld
         Disposed = true;
     }
 
-    private sealed class StandInPlayer(PlayerSettings settings, WorkbenchPlace place, double joined, Action use) : IWorkbenchPlayer
+    private sealed class StandInPlayer(uint id, PlayerSettings settings, WorkbenchPlace place, double joined, Action use) : IWorkbenchPlayer
     {
         private readonly Queue<PlayerEvent> events = [];
         private PlayerSettings settings = settings;
@@ -113,6 +129,10 @@ internal sealed class StandInWorld : IWorkbenchWorld
         private double chargedSince = double.NaN;
         private Vector3 velocity;
         private bool airborne;
+
+        public uint Id => id;
+
+        public bool WantsTruth { get; private set; }
 
         public PlayerPose Pose { get; private set; } = new(
             joined, place.CellId, place.Position, place.Yaw, Vector3.Zero, 0, PoseFlags.Contact | PoseFlags.OnWalkable,
@@ -155,6 +175,12 @@ internal sealed class StandInWorld : IWorkbenchWorld
             [
                 new Touch(true, TouchKind.Ground, Pose.CellId, Vector3.UnitZ, ""),
                 new Touch(false, TouchKind.Body, DoorId, Vector3.UnitX, "door")];
+
+        public void Ask(uint creature, CreatureWish wish)
+        {
+        }
+
+        public void UseNetwork(NetworkQuality quality, bool showsTruth) => WantsTruth = showsTruth;
 
         public WalkReport Walk => new("surefoot walk", "nothing");
 

@@ -9,6 +9,7 @@ import { Hud } from "./hud/hud";
 import { type Frames, Inspection } from "./hud/inspection";
 import { Keyboard } from "./hud/keys";
 import { LeftOutPanel } from "./hud/leftOut";
+import { Pick } from "./hud/pick";
 import { Pointer } from "./hud/pointer";
 import { TouchPad } from "./hud/touchPad";
 import { Connection } from "./net/connection";
@@ -25,6 +26,9 @@ import { WorldView } from "./things/worldView";
 
 /** Seconds between two pictures of the map. */
 const mapEvery = 0.1;
+
+/** A creature so near can be chosen by a key, metres. */
+const choiceWithin = 40;
 
 export function play(by: Drawing): void {
   const session = new Session();
@@ -53,9 +57,12 @@ export function play(by: Drawing): void {
       expect(destination.place);
     },
     use: () => requests.use(),
+    network: tellNetwork,
+    creature: (body, wish) => requests.creature(body, wish),
   });
   const entrance = new Entrance(location.search, listing, requests, {
     settings: (settings) => hud.skills.show(settings),
+    network: (network) => hud.network.show(network),
     toggles: (wanted) => {
       for (const [name, on] of Object.entries(wanted)) hud.toggles.set(name as Toggle, on);
     },
@@ -64,7 +71,7 @@ export function play(by: Drawing): void {
   });
   const address = new Address(() => {
     const { spot, ...skills } = entrance.asLink;
-    return { ...skills, at: spot ? formatSpot(spot) : undefined, toggles: hud.toggles.all };
+    return { ...skills, at: spot ? formatSpot(spot) : undefined, net: hud.network.network, toggles: hud.toggles.all };
   });
   const keyCommands = commands({
     toggle: (name) => hud.toggles.flip(name),
@@ -73,6 +80,11 @@ export function play(by: Drawing): void {
     recenter: () => world.stage.view.recenter(),
     goTo: () => hud.goTo.focus(),
     copyWalk: () => requests.askWalk(),
+    creature: () => {
+      const at = world.drawn?.position;
+      const near = at && world.bodies.creatureNear(at, choiceWithin);
+      if (near) hud.creature.choose(near, true);
+    },
     help: () => hud.help.toggle(),
     closeHelp: () => hud.help.shown && hud.help.toggle(),
   });
@@ -86,6 +98,11 @@ export function play(by: Drawing): void {
   const leftOut = new LeftOutPanel();
   const pointer = new Pointer(surface, (buttons, right) => requests.pointer(buttons, right));
   new TouchPad(held);
+  new Pick(surface, (x, y) => {
+    const creature = world.creatureAt(x, y);
+    if (creature) hud.creature.choose(creature, false);
+    else hud.creature.hide();
+  });
 
   window.surefoot = new Inspection(world, session, hud, connection, requests, walk, drawing);
   void listing.then((places) => hud.listPlaces(places));
@@ -107,12 +124,18 @@ export function play(by: Drawing): void {
     if (frame.kind === "welcome") {
       walk.clear();
       entrance.welcome(frame);
+      tellNetwork();
     }
     if (frame.kind === "walk") void copyWalk(frame, hud.toasts, hud.notice);
     if (frame.kind !== "pose") return;
     entrance.pose(frame);
     walk.receive(frame);
     leftOut.enter(frame.cell);
+    showAddress();
+  }
+
+  function tellNetwork(): void {
+    requests.network(hud.network.network, hud.toggles.all.truth);
     showAddress();
   }
 
@@ -147,6 +170,7 @@ export function play(by: Drawing): void {
       const { path, metres, seconds } = walk;
       hud.map.draw({ surroundings: world.surroundings, player: drawn.position, yaw: drawn.yaw, others, path, metres, seconds }, lastFrame);
     }
+    hud.creature.update((body) => world.bodies.find(body) !== null);
     hud.showDoor(world.bodies.doorAt(drawn.position));
     hud.showCharge((session.pose.flags & PoseFlag.Charging) !== 0, drawn.charge);
     if (connection.state !== "open") return;
@@ -167,6 +191,9 @@ export function play(by: Drawing): void {
       case "panels":
         hud.showPanels(on);
         break;
+      case "truth":
+        tellNetwork();
+        return;
       case "mouse":
         pointer.turnsPlayer = world.stage.view.rightTurns = on;
         requests.mouseTurning(on);

@@ -9,6 +9,7 @@ interface Acts {
   recenter(): void;
   goTo(): void;
   copyWalk(): void;
+  creature(): void;
   help(): void;
   closeHelp(): void;
 }
@@ -25,6 +26,8 @@ export function commands(acts: Acts): ReadonlyMap<string, () => void> {
     ["KeyP", () => acts.toggle("panels")],
     ["KeyG", acts.goTo],
     ["KeyK", acts.copyWalk],
+    ["KeyX", acts.creature],
+    ["KeyB", () => acts.toggle("truth")],
     ["KeyH", acts.help],
     ["Slash", acts.help],
     ["Escape", acts.closeHelp],

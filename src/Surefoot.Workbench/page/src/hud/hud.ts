@@ -4,12 +4,14 @@ import type { Toggle } from "../net/link";
 import type { Listing } from "../net/places";
 import type { ServerFrame } from "../net/wire";
 import { Cover } from "./cover";
+import { CreatureCard } from "./creature";
 import { element } from "./elements";
 import { Focus } from "./focus";
 import { Folds } from "./folds";
 import { GoTo } from "./goTo";
 import { Help } from "./help";
 import { WalkMap } from "./map";
+import { NetworkSliders } from "./network";
 import { Notice } from "./notice";
 import { Panel } from "./panel";
 import { Skills } from "./skills";
@@ -22,6 +24,8 @@ interface Asks {
   go: ConstructorParameters<typeof GoTo>[0];
   use(): void;
   copyWalk(): void;
+  network(): void;
+  creature(body: number, wish: number): void;
 }
 
 export class Hud {
@@ -35,6 +39,8 @@ export class Hud {
   readonly help: Help;
   readonly goTo: GoTo;
   readonly skills: Skills;
+  readonly network: NetworkSliders;
+  readonly creature: CreatureCard;
   readonly toggles: Toggles;
   private readonly bar = element("charge");
   private readonly prompt = element("prompt");
@@ -43,6 +49,8 @@ export class Hud {
     const toGame = (): void => this.focus.toGame();
     this.focus = new Focus(element("world"));
     this.skills = new Skills(asks.settings);
+    this.network = new NetworkSliders(asks.network);
+    this.creature = new CreatureCard(asks.creature, toGame);
     this.toggles = new Toggles(asks.toggle);
     this.notice = new Notice(toGame);
     this.help = new Help(toGame);

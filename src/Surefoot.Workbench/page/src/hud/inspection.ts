@@ -130,6 +130,21 @@ export class Inspection {
     return this.world.bodies.poses;
   }
 
+  /** Where others are in truth, as drawn; empty when that is not shown. */
+  get ghosts(): { body: number; position: Vec3 | null }[] {
+    return this.world.ghosts.places;
+  }
+
+  /** The creature that is chosen, or null. */
+  get creature(): number | null {
+    return this.hud.creature.chosen;
+  }
+
+  /** Where a body is seen: shares of the picture from the left and the top. */
+  onScreen(body: number): { x: number; y: number } | null {
+    return this.world.onScreen(body);
+  }
+
   get touches(): Touch[] {
     return this.session.touches;
   }

@@ -47,6 +47,7 @@ export class Skills {
   }
 }
 
-function output(slider: HTMLInputElement, text: string): void {
+/** The number beside a slider. */
+export function output(slider: HTMLInputElement, text: string): void {
   document.querySelector<HTMLOutputElement>(`output[for="${slider.id}"]`)!.value = text;
 }

@@ -1,6 +1,6 @@
 // The frames that this page sends; `Wire/` in the server's source says the same. All numbers are little-endian.
 
-import type { Spot } from "./wire";
+import type { Network, Spot } from "./wire";
 
 export function encodeInput(keys: number, sequence: number): ArrayBuffer {
   const view = new DataView(new ArrayBuffer(6));
@@ -53,6 +53,26 @@ export function encodeFocusLost(): ArrayBuffer {
 
 export function encodeAskWalk(): ArrayBuffer {
   return new Uint8Array([0x0a]).buffer;
+}
+
+/** @param truth say also where the others are in truth */
+export function encodeNetwork({ delay, jitter, loss }: Network, truth: boolean): ArrayBuffer {
+  const view = new DataView(new ArrayBuffer(8));
+  view.setUint8(0, 0x0b);
+  view.setUint16(1, delay, true);
+  view.setUint16(3, jitter, true);
+  view.setUint16(5, loss * 10, true);
+  view.setUint8(7, truth ? 1 : 0);
+  return view.buffer;
+}
+
+/** @param wish one of `Wish` */
+export function encodeCreature(body: number, wish: number): ArrayBuffer {
+  const view = new DataView(new ArrayBuffer(6));
+  view.setUint8(0, 0x0c);
+  view.setUint32(1, body, true);
+  view.setUint8(5, wish);
+  return view.buffer;
 }
 
 /** Be at a spot; one without a height lies on the ground. */

@@ -2,7 +2,7 @@
 
 import { type Link, readLink, shown, type Toggles } from "./link";
 import { type Listing, readDestination } from "./places";
-import { EventKind, type OwnPose, type PlayerEvent, PoseFlag, type Settings, type Spot, type Welcome } from "./wire";
+import { EventKind, type Network, type OwnPose, type PlayerEvent, PoseFlag, type Settings, type Spot, type Welcome } from "./wire";
 
 /** Why a player is not put where it wants to be, as the server numbers it. */
 export const placeRefusals: Record<number, string> = {
@@ -23,6 +23,8 @@ interface Asks {
 interface Tells {
   /** The skills that hold from now on. */
   settings(settings: Settings): void;
+  /** How bad a network the link wants. */
+  network(network: Network): void;
   /** What the link wants to be shown. */
   toggles(toggles: Toggles): void;
   /** A named place was asked for. */
@@ -104,6 +106,7 @@ export class Entrance {
     const { run = welcome.runSkill, jump = welcome.jumpSkill, burden = welcome.burden } = link;
     if (link.run !== undefined || link.jump !== undefined || link.burden !== undefined)
       this.settings = { runSkill: run, jumpSkill: jump, burden };
+    if (link.net) this.tells.network(link.net);
     this.tells.toggles(link.toggles);
   }
 

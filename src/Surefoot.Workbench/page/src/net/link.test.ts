@@ -5,11 +5,12 @@ const limits = { maxSkill: 1000, maxBurden: 45_000 };
 
 describe("a link", () => {
   it("says skills, place and toggles, and is read as it was written", () => {
-    const toggles = { ...toggleDefaults, triangles: true, shapes: true, mouse: false };
-    const written = writeLink({ run: 800, jump: 0, burden: 7000, at: "0xA9B50032,156,24.01,20,90", toggles });
-    expect(written).toBe("?run=800&jump=0&burden=7000&at=0xA9B50032,156,24.01,20,90&on=triangles,shapes&off=mouse");
+    const toggles = { ...toggleDefaults, triangles: true, shapes: true, mouse: false, truth: true };
+    const net = { delay: 200, jitter: 100, loss: 5 };
+    const written = writeLink({ run: 800, jump: 0, burden: 7000, at: "0xA9B50032,156,24.01,20,90", net, toggles });
+    expect(written).toBe("?run=800&jump=0&burden=7000&at=0xA9B50032,156,24.01,20,90&net=200,100,5&on=triangles,shapes,truth&off=mouse");
     expect(readLink(written, limits)).toEqual({
-      link: { run: 800, jump: 0, burden: 7000, at: "0xA9B50032,156,24.01,20,90", toggles },
+      link: { run: 800, jump: 0, burden: 7000, at: "0xA9B50032,156,24.01,20,90", net, toggles },
       ignored: [],
     });
     const named = writeLink({ at: "The foot of the mountain & 5 %", toggles: { ...toggleDefaults } });
@@ -28,8 +29,8 @@ describe("a link", () => {
       "run=1001 (a whole number from 0 to 1000)",
       "jump=-5 (a whole number from 0 to 1000)",
       "burden=1e3 (a whole number from 0 to 45000)",
-      "on=walls (triangles, shapes, mouse, panels)",
-      "colour=red (run, jump, burden, at, on, off)",
+      "on=walls (triangles, shapes, mouse, panels, truth)",
+      "colour=red (run, jump, burden, at, net, on, off)",
     ]);
   });
 
@@ -37,6 +38,16 @@ describe("a link", () => {
     const { link, ignored } = readLink("?run=300&at=Here&run=400&at=There&on=shapes,triangles&off=triangles&jump=5&jump=5", limits);
     expect(link).toEqual({ run: 400, jump: 5, at: "There", toggles: { ...toggleDefaults, shapes: true } });
     expect(ignored).toEqual(["run=300 (said otherwise later)", "at=Here (said otherwise later)", "on=triangles (said otherwise later)"]);
+  });
+
+  it("says how bad the network is, and leaves out one that is none", () => {
+    for (const bad of ["1001,0,0", "0,1001,0", "0,0,51", "1,2", "1,2,3,4", "1,2,x", "-1,0,0", ""]) {
+      const { link, ignored } = readLink(`?net=${bad}`, limits);
+      expect(link).toEqual({ toggles: toggleDefaults });
+      expect(ignored[0]).toContain("(delay, jitter, loss: to 1000 ms, 1000 ms, 50 %)");
+    }
+    expect(readLink("?net=1000,1000,50", limits).link.net).toEqual({ delay: 1000, jitter: 1000, loss: 50 });
+    expect(writeLink({ net: { delay: 0, jitter: 0, loss: 0 }, toggles: { ...toggleDefaults } })).toBe("");
   });
 
   it("however long or odd is cut to what a line holds", () => {

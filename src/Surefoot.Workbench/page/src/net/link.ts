@@ -1,7 +1,9 @@
 // The address of the page: what it says of skills, place and what is shown. Whoever opens it finds the same.
 
+import type { Network } from "./wire";
+
 /** What can be on or off, and what it is at first. */
-export const toggleDefaults = { triangles: false, shapes: false, mouse: true, panels: true } as const;
+export const toggleDefaults = { triangles: false, shapes: false, mouse: true, panels: true, truth: false } as const;
 
 export type Toggle = keyof typeof toggleDefaults;
 
@@ -15,8 +17,13 @@ export interface Link {
   burden?: number;
   /** A place's name, or a cell and metres. */
   at?: string;
+  /** How bad the network is over which others are heard of, when it is not perfect. */
+  net?: Network;
   toggles: Toggles;
 }
+
+/** The worst network: milliseconds, milliseconds, percent. */
+export const worst: Network = { delay: 1000, jitter: 1000, loss: 50 };
 
 /** The highest that a server allows. */
 export interface Limits {
@@ -42,6 +49,13 @@ export function readLink(query: string, limits: Limits): { link: Link; ignored: 
       again(name, shown(name, text));
     } else ignored.push(`${shown(name, text)} (a whole number from 0 to ${most})`);
   };
+  const network = (text: string): void => {
+    const [delay, jitter, loss, ...more] = text.split(",").map((part) => (/^\d{1,9}$/.test(part) ? Number(part) : Number.NaN));
+    if (more.length === 0 && delay <= worst.delay && jitter <= worst.jitter && loss <= worst.loss) {
+      link.net = { delay, jitter, loss };
+      again("net", shown("net", text));
+    } else ignored.push(`${shown("net", text)} (delay, jitter, loss: to ${worst.delay} ms, ${worst.jitter} ms, ${worst.loss} %)`);
+  };
   const toggle = (text: string, on: boolean): void => {
     for (const name of text.split(",")) {
       if (Object.hasOwn(toggleDefaults, name)) {
@@ -53,12 +67,13 @@ export function readLink(query: string, limits: Limits): { link: Link; ignored: 
   for (const [name, text] of new URLSearchParams(query)) {
     if (name === "run" || name === "jump") number(name, text, limits.maxSkill);
     else if (name === "burden") number(name, text, limits.maxBurden);
+    else if (name === "net") network(text);
     else if (name === "on") toggle(text, true);
     else if (name === "off") toggle(text, false);
     else if (name === "at") {
       link.at = text;
       again(name, shown(name, text));
-    } else ignored.push(`${shown(name, text)} (run, jump, burden, at, on, off)`);
+    } else ignored.push(`${shown(name, text)} (run, jump, burden, at, net, on, off)`);
   }
   return { link, ignored };
 }
@@ -68,6 +83,8 @@ export function writeLink(link: Link): string {
   const parts: string[] = [];
   for (const name of ["run", "jump", "burden"] as const) if (link[name] !== undefined) parts.push(`${name}=${link[name]}`);
   if (link.at !== undefined) parts.push(`at=${link.at.replace(/[^\w,.-]/g, encodeURIComponent)}`);
+  const { delay, jitter, loss } = link.net ?? { delay: 0, jitter: 0, loss: 0 };
+  if (delay + jitter + loss > 0) parts.push(`net=${delay},${jitter},${loss}`);
   const changed = (Object.keys(toggleDefaults) as Toggle[]).filter((name) => link.toggles[name] !== toggleDefaults[name]);
   for (const [key, on] of [
     ["on", true],

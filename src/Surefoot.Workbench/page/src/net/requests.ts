@@ -4,16 +4,18 @@ import type { Connection } from "./connection";
 import {
   encodeAskWalk,
   encodeAutoRun,
+  encodeCreature,
   encodeFocusLost,
   encodeGoto,
   encodeInput,
   encodeMouseTurning,
+  encodeNetwork,
   encodePlaceAt,
   encodePointer,
   encodeSettings,
   encodeUse,
 } from "./encode";
-import type { Settings, Spot } from "./wire";
+import type { Network, Settings, Spot } from "./wire";
 
 export class Requests {
   private sequence = 0;
@@ -58,6 +60,16 @@ export class Requests {
   focusLost(): void {
     this.connection.send(encodeFocusLost());
     this.keys(0);
+  }
+
+  /** How bad the network is over which others are heard of, and whether it is to be shown where they are in truth. */
+  network(network: Network, truth: boolean): void {
+    this.connection.send(encodeNetwork(network, truth));
+  }
+
+  /** @param wish one of `Wish` */
+  creature(body: number, wish: number): void {
+    this.connection.send(encodeCreature(body, wish));
   }
 
   /** What was done last? The answer is a frame of its own. */

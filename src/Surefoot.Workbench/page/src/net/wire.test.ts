@@ -2,10 +2,12 @@ import { describe, expect, it } from "vitest";
 import {
   encodeAskWalk,
   encodeAutoRun,
+  encodeCreature,
   encodeFocusLost,
   encodeGoto,
   encodeInput,
   encodeMouseTurning,
+  encodeNetwork,
   encodePlaceAt,
   encodePointer,
   encodeSettings,
@@ -30,6 +32,8 @@ describe("frames of the page", () => {
     expect(encodeMouseTurning(true)).toEqual(bytes(samples.mouseTurning.hex));
     expect(encodeAutoRun()).toEqual(bytes(samples.autoRun.hex));
     expect(encodeFocusLost()).toEqual(bytes(samples.focusLost.hex));
+    expect(encodeNetwork(samples.network.network, samples.network.truth)).toEqual(bytes(samples.network.hex));
+    expect(encodeCreature(samples.creature.body, samples.creature.wish)).toEqual(bytes(samples.creature.hex));
     expect(encodeAskWalk()).toEqual(bytes(samples.askWalk.hex));
     const { cell, position, yaw } = samples.placeAt;
     expect(encodePlaceAt({ cell, x: position[0], y: position[1], z: position[2], yaw })).toEqual(bytes(samples.placeAt.hex));
@@ -58,6 +62,8 @@ describe("frames of the server", () => {
     expect(decode(bytes(samples.touches.hex))).toEqual({ kind: "touches", touches });
     const part = { ...samples.moving.part, position: vec(samples.moving.part.position) };
     expect(decode(bytes(samples.moving.hex))).toEqual({ kind: "moving", time: samples.moving.time, parts: [part] });
+    const place = { ...samples.truth.place, position: vec(samples.truth.place.position) };
+    expect(decode(bytes(samples.truth.hex))).toEqual({ kind: "truth", time: samples.truth.time, places: [place] });
     const { hex: walkHex, ...walk } = samples.walk;
     expect(decode(bytes(walkHex))).toEqual({ kind: "walk", ...walk });
     const { hex: eventHex, ...event } = samples.event;
@@ -74,6 +80,7 @@ describe("frames of the server", () => {
       samples.touches.hex,
       samples.moving.hex,
       samples.walk.hex,
+      samples.truth.hex,
     ]) {
       const whole = bytes(hex);
       for (let length = 0; length < whole.byteLength; length++) expect(decode(whole.slice(0, length))).toBeNull();

@@ -1,6 +1,6 @@
 // The frames between this page and the server; `Wire/` in the server's source says the same. All numbers are little-endian.
 
-export const wireVersion = 6;
+export const wireVersion = 7;
 
 export const Key = {
   Forward: 1,
@@ -48,6 +48,13 @@ export interface Settings {
   runSkill: number;
   jumpSkill: number;
   burden: number;
+}
+
+/** How bad the network is over which the page hears of others: milliseconds, milliseconds both ways, percent. */
+export interface Network {
+  delay: number;
+  jitter: number;
+  loss: number;
 }
 
 export interface Welcome extends Settings {
@@ -106,6 +113,9 @@ export interface Others {
 }
 
 export const BodyType = { Guard: 1, Wanderer: 2, Crowd: 3, Door: 4 } as const;
+
+/** What a creature may be asked to do. */
+export const Wish = { AsItLikes: 0, Follow: 1, Flee: 2, Stand: 3 } as const;
 
 export const BodyFlag = { Open: 1, WaitsToClose: 2, Airborne: 4 } as const;
 
@@ -170,6 +180,21 @@ export interface PlayerEvent {
   code: number;
 }
 
+/** Where a body is in truth, or another player. */
+export interface TruePlace {
+  body: number;
+  cell: number;
+  position: Vec3;
+  yaw: number;
+}
+
+/** Where all those are in truth of which the page hears by messages; empty when that is no longer asked for. */
+export interface Truth {
+  kind: "truth";
+  time: number;
+  places: TruePlace[];
+}
+
 /** What the player did last: a command that does the same, and what was done besides; empty when that is nothing. */
 export interface Walk {
   kind: "walk";
@@ -177,7 +202,7 @@ export interface Walk {
   leftOut: string;
 }
 
-export type ServerFrame = Welcome | OwnPose | Others | PlayerEvent | Bodies | Touches | Moving | Walk;
+export type ServerFrame = Welcome | OwnPose | Others | PlayerEvent | Bodies | Touches | Moving | Walk | Truth;
 
 const lengths = {
   welcome: 30,
@@ -192,6 +217,8 @@ const lengths = {
   movingHeader: 11,
   moving: 40,
   walkHeader: 9,
+  truthHeader: 11,
+  truePlace: 24,
 };
 
 /** Reads a frame of the server; null for one this page does not know. */
@@ -215,6 +242,8 @@ export function decode(buffer: ArrayBuffer): ServerFrame | null {
       return buffer.byteLength >= lengths.movingHeader ? decodeMoving(read, buffer.byteLength) : null;
     case 0x88:
       return buffer.byteLength >= lengths.walkHeader ? decodeWalk(read) : null;
+    case 0x89:
+      return buffer.byteLength >= lengths.truthHeader ? decodeTruth(read, buffer.byteLength) : null;
     default:
       return null;
   }
@@ -349,6 +378,15 @@ function decodeWalk(read: Reader): Walk | null {
   const leftOut = read.u32();
   if (read.left !== command + leftOut) return null;
   return { kind: "walk", command: read.text(command), leftOut: read.text(leftOut) };
+}
+
+function decodeTruth(read: Reader, length: number): Truth | null {
+  const time = read.f64();
+  const count = read.u16();
+  if (length !== lengths.truthHeader + count * lengths.truePlace) return null;
+  const places: TruePlace[] = [];
+  for (let i = 0; i < count; i++) places.push({ body: read.u32(), cell: read.u32(), position: read.vec3(), yaw: read.f32() });
+  return { kind: "truth", time, places };
 }
 
 const utf8 = new TextDecoder();

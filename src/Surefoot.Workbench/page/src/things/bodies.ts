@@ -54,6 +54,45 @@ export class Bodies {
     return null;
   }
 
+  /** The body with this id; null when it is not near. */
+  find(id: number): BodyPose | null {
+    return this.all.get(id)?.pose ?? null;
+  }
+
+  /**
+   * The creature that a line of sight meets first; null when it meets none.
+   * @param ray relative to the drawing's origin
+   */
+  creatureOn(ray: THREE.Ray, origin: THREE.Vector3): BodyPose | null {
+    const met = new THREE.Vector3();
+    let nearest = Number.POSITIVE_INFINITY;
+    let found: BodyPose | null = null;
+    for (const { pose, drawn } of this.all.values()) {
+      if (pose.type === BodyType.Door) continue;
+      const at = drawn?.position ?? toGlobal(pose.cell, pose.position);
+      const feet = new THREE.Vector3(at.x - origin.x, at.y - origin.y, at.z - origin.z);
+      const head = feet.clone().setZ(feet.z + pose.size.z);
+      const half = Math.max(pose.size.x, pose.size.y) / 2;
+      if (ray.distanceSqToSegment(feet, head, met) > half * half) continue;
+      const away = ray.origin.distanceTo(met);
+      if (away < nearest) [nearest, found] = [away, pose];
+    }
+    return found;
+  }
+
+  /** The creature nearest to a point of global metres, within this distance; null without one. */
+  creatureNear(point: Vec3, within: number): BodyPose | null {
+    let nearest = within;
+    let found: BodyPose | null = null;
+    for (const { pose } of this.all.values()) {
+      if (pose.type === BodyType.Door) continue;
+      const at = toGlobal(pose.cell, pose.position);
+      const away = Math.hypot(at.x - point.x, at.y - point.y, at.z - point.z);
+      if (away < nearest) [nearest, found] = [away, pose];
+    }
+    return found;
+  }
+
   receive(frame: BodiesFrame): void {
     const here = new Set(frame.bodies.map((pose) => pose.body));
     for (const id of [...this.all.keys()]) if (!here.has(id)) this.remove(id);

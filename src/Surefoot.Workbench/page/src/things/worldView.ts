@@ -2,8 +2,8 @@
 
 import * as THREE from "three";
 import type { Drawn } from "../net/timeline";
-import { type OwnPose, PoseFlag, type ServerFrame } from "../net/wire";
-import { blockOf, blockSide, isIndoors } from "../net/world";
+import { type BodyPose, type OwnPose, PoseFlag, type ServerFrame } from "../net/wire";
+import { blockOf, blockSide, isIndoors, toGlobal } from "../net/world";
 import { isCalm } from "../scene/calm";
 import { type Box, Cutaway } from "../scene/cutaway";
 import { horizonColor, sunDirection, zenithColor } from "../scene/sky";
@@ -11,6 +11,7 @@ import { Stage } from "../scene/stage";
 import { Terrain } from "../scene/terrain";
 import type { Drawing } from "../scene/webgl";
 import { Bodies } from "./bodies";
+import { Ghosts } from "./ghosts";
 import { Objects } from "./objects";
 import { Players } from "./players";
 
@@ -31,6 +32,7 @@ export class WorldView {
   readonly terrain: Terrain;
   readonly objects: Objects;
   readonly bodies = new Bodies();
+  readonly ghosts = new Ghosts();
   readonly players = new Players();
   private readonly origin = new THREE.Vector3();
   private drawnTeleports = -1;
@@ -42,7 +44,7 @@ export class WorldView {
     this.stage = new Stage(canvas, by);
     this.terrain = new Terrain(this.stage.noise, sunDirection, horizonColor, zenithColor, this.cutaway);
     this.objects = new Objects(this.cutaway);
-    this.stage.scene.add(this.terrain.group, this.objects.group, this.bodies.group, this.players.group);
+    this.stage.scene.add(this.terrain.group, this.objects.group, this.bodies.group, this.players.group, this.ghosts.group);
   }
 
   /** One's own player as drawn in the last frame. */
@@ -92,6 +94,7 @@ export class WorldView {
     switch (frame.kind) {
       case "welcome":
         this.bodies.clear();
+        this.ghosts.clear();
         this.objects.moving.clear();
         this.players.enter(frame.player);
         this.drawnTeleports = -1;
@@ -104,6 +107,9 @@ export class WorldView {
         break;
       case "bodies":
         this.bodies.receive(frame);
+        break;
+      case "truth":
+        this.ghosts.receive(frame, (body) => this.bodies.find(body)?.size ?? null);
         break;
       case "moving":
         this.objects.moving.receive(frame);
@@ -124,10 +130,31 @@ export class WorldView {
     this.players.update(time, this.origin, now, dt);
     if (pose) this.follow(pose, now, dt);
     this.bodies.update(time, this.origin, now, dt, !this.enclosed);
+    this.ghosts.update(time, this.origin, !this.enclosed);
     this.objects.moveParts(time);
     this.terrain.uniforms.time.value = this.breeze(now);
     this.stage.sky.update(this.stage.view.camera.position, this.breeze(now));
     this.stage.render(elapsed);
+  }
+
+  /**
+   * The creature at a point of the picture; null without one.
+   * @param x share of the picture from the left
+   * @param y share of the picture from the top
+   */
+  creatureAt(x: number, y: number): BodyPose | null {
+    const sight = new THREE.Raycaster();
+    sight.setFromCamera(new THREE.Vector2(2 * x - 1, 1 - 2 * y), this.stage.view.camera);
+    return this.bodies.creatureOn(sight.ray, this.origin);
+  }
+
+  /** Where in the picture a body is seen, as shares from the left and the top; null when it is not near or behind the camera. */
+  onScreen(body: number): { x: number; y: number } | null {
+    const pose = this.bodies.find(body);
+    if (!pose) return null;
+    const at = toGlobal(pose.cell, pose.position);
+    const middle = new THREE.Vector3(at.x, at.y, at.z + pose.size.z / 2).sub(this.origin).project(this.stage.view.camera);
+    return middle.z > 1 ? null : { x: (middle.x + 1) / 2, y: (1 - middle.y) / 2 };
   }
 
   /** Pixels, of a small picture of the view, in which one's own player is seen; with the cutaway, or as it would be without. */
