@@ -293,8 +293,9 @@ public sealed class BrowserTests(Browser browser)
     [Behaviour("workbench.browser.tabs", "design.md")]
     public async Task Two_tabs_see_each_other_and_a_closed_one_is_gone()
     {
-        await using Tab one = await browser.OpenAsync();
-        Tab two = await browser.OpenAsync();
+        await using WorkbenchServer own = await Worlds.StartAsync();
+        await using Tab one = await browser.OpenAsync(own);
+        Tab two = await browser.OpenAsync(own);
         uint id = (uint)await two.Number("window.surefoot.player");
         await one.Until(
             $"window.surefoot.others.some(other => other.player === {id} && other.position !== null)",
@@ -303,7 +304,7 @@ public sealed class BrowserTests(Browser browser)
         Assert.InRange(Flat(here, there), 0.96, 2.5);
         await two.DisposeAsync();
         await one.Until("window.surefoot.others.length === 0", "the closed tab's player is gone");
-        await Eventually.Holds(() => browser.Server.Counters.Players == 1, "the server has one player");
+        await Eventually.Holds(() => own.Counters.Players == 1, "the server has one player");
     }
 
     private async Task ComparePanel(Tab tab)

@@ -211,9 +211,9 @@ public sealed class KeyboardAloneTests(Browser browser)
         await calm.GoTo("The lake shore");
         Assert.Equal("none", (await calm.Read("getComputedStyle(document.querySelector('#toasts p')).animationName")).GetString());
         Assert.Equal("0s", (await calm.Read("getComputedStyle(document.getElementById('cover')).transitionDuration")).GetString());
-        await calm.Page.Mouse.MoveAsync(300, 300);
+        await calm.Page.Mouse.MoveAsync(450, 200);
         await calm.Page.Mouse.DownAsync();
-        await calm.Page.Mouse.MoveAsync(420, 300);
+        await calm.Page.Mouse.MoveAsync(570, 200);
         await calm.Page.Mouse.UpAsync();
         await calm.Until("Math.abs(window.surefoot.camera.orbit) > 0.3", "dragging looks around");
         double frames = await calm.Number("window.surefoot.frames");

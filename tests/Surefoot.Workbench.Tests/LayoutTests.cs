@@ -39,6 +39,8 @@ public sealed class LayoutTests(Browser browser)
             await tab.Page.SetViewportSizeAsync(1280, 720);
             await tab.Page.SetViewportSizeAsync(width, height);
             await tab.Until($"innerWidth === {width} && innerHeight === {height}", "the window has its size");
+            double frames = await tab.Number("window.surefoot.frames");
+            await tab.Until($"window.surefoot.frames > {Text(frames + 2)}", "the page has seen it");
             await AssertNothingIsCut(tab, window, width, height);
         }
     }

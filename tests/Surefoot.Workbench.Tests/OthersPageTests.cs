@@ -5,7 +5,9 @@ using Surefoot.Workbench.Tests.Support;
 
 namespace Surefoot.Workbench.Tests;
 
-/// <summary>Others on the page: heard of over a network whose sliders make it bad, with ghosts at their true places, and at one's wish.</summary>
+/// <summary>
+/// Others on the page: heard of over a network whose sliders make it bad, with ghosts at their true places, and at one's wish.
+/// </summary>
 [Collection(BrowserCollection.Name)]
 public sealed class OthersPageTests(Browser browser)
 {
@@ -58,7 +60,8 @@ public sealed class OthersPageTests(Browser browser)
         {
             // One that walks may have left the point by the time of the click.
             JsonElement at = await tab.Read(
-                $"{creatures}.map((one) => window.surefoot.onScreen(one.body)).find((one) => one && one.x > 0.3 && one.x < 0.7 && one.y > 0.2)");
+                $"{creatures}.map((one) => window.surefoot.onScreen(one.body))" +
+                ".find((one) => one && one.x > 0.3 && one.x < 0.7 && one.y > 0.2)");
             if (at.ValueKind != JsonValueKind.Object) continue;
             await page.Mouse.ClickAsync(
                 (float)(at.GetProperty("x").GetDouble() * Browser.Width), (float)(at.GetProperty("y").GetDouble() * Browser.Height));
@@ -70,8 +73,8 @@ public sealed class OthersPageTests(Browser browser)
         Assert.False(await card.IsVisibleAsync());
         Assert.True((await tab.Read("window.surefoot.playing")).GetBoolean());
         string away =
-            $"(() => {{ const one = window.surefoot.bodies.find((one) => one.body === {chosen}).position, me = window.surefoot.pose.position;" +
-            " return Math.hypot(one.x - me.x, one.y - me.y); })()";
+            $"(() => {{ const one = window.surefoot.bodies.find((one) => one.body === {chosen}).position;" +
+            " const me = window.surefoot.pose.position; return Math.hypot(one.x - me.x, one.y - me.y); })()";
         await tab.Until($"{away} < 2.8", "it comes");
 
         // The keyboard alone chooses the nearest, which is the one that came.

@@ -66,9 +66,9 @@ public sealed class WalkTests(Browser browser)
         await page.Context.GrantPermissionsAsync(["clipboard-read", "clipboard-write"]);
         await page.Keyboard.DownAsync("w");
         await tab.Until("window.surefoot.pose.speed > 5", "the player runs");
-        await page.Mouse.MoveAsync(300, 300);
+        await page.Mouse.MoveAsync(450, 200);
         await page.Mouse.DownAsync(new() { Button = MouseButton.Right });
-        await page.Mouse.MoveAsync(360, 300, new() { Steps = 4 });
+        await page.Mouse.MoveAsync(510, 200, new() { Steps = 4 });
         await page.Mouse.UpAsync(new() { Button = MouseButton.Right });
         await page.Keyboard.UpAsync("w");
         await page.Locator("#copy-walk").ClickAsync();

@@ -1,5 +1,4 @@
 using System.Collections.Concurrent;
-using System.Globalization;
 using System.Text.Json;
 using Microsoft.Playwright;
 using Surefoot.Workbench.Simulation;
@@ -169,9 +168,8 @@ internal sealed class Tab : IAsyncDisposable
     public async Task BeginAnewAsync()
     {
         complaints.Clear();
-        foreach (string key in new[] { "w", "a", "s", "d", "q", "e", "r", "Shift", "Space", "ArrowUp" }) await Page.Keyboard.UpAsync(key);
-        await Page.Mouse.UpAsync();
-        await Page.Mouse.UpAsync(new() { Button = MouseButton.Right });
+        await Page.EvaluateAsync(
+            "() => { window.requestAnimationFrame = window.drawsOn; for (const one of window.waiting) window.drawsOn(one); }");
         const string Untouched =
             """
             window.surefoot?.covered === null && window.surefoot.playing && window.surefoot.notice === "" &&
@@ -192,11 +190,9 @@ internal sealed class Tab : IAsyncDisposable
             return;
         }
 
-        double teleports = await Number("window.surefoot.pose.teleports");
-        await Page.EvaluateAsync("() => window.surefoot.sendRaw([3, 0, 0])");
-        string count = ((teleports + 1) % 256).ToString(CultureInfo.InvariantCulture);
         await Until(
-            $"window.surefoot.pose.teleports === {count} && window.surefoot.drawn?.teleports === {count} && window.surefoot.pose.speed === 0",
+            "window.surefoot.drawn?.teleports === window.surefoot.pose.teleports && window.surefoot.pose.speed === 0 && " +
+            "window.surefoot.pose.cell === window.surefoot.places[0].cell",
             "the player stands at the start");
     }
 
@@ -240,6 +236,24 @@ internal sealed class Tab : IAsyncDisposable
 
     public async ValueTask DisposeAsync()
     {
-        if (!IsLent) await Page.CloseAsync();
+        if (!IsLent)
+        {
+            await Page.CloseAsync();
+            return;
+        }
+
+        foreach (string key in new[] { "w", "a", "s", "d", "q", "e", "r", "Shift", "Space", "ArrowUp" }) await Page.Keyboard.UpAsync(key);
+        await Page.Mouse.UpAsync();
+        await Page.Mouse.UpAsync(new() { Button = MouseButton.Right });
+        await Page.EvaluateAsync("() => window.surefoot.sendRaw([3, 0, 0])");
+        // Until the next test takes it, it does not draw: that would cost the others most of a processor.
+        await Page.EvaluateAsync(
+            """
+            () => {
+              window.waiting = [];
+              window.drawsOn = window.requestAnimationFrame.bind(window);
+              window.requestAnimationFrame = (one) => { window.waiting.push(one); return 0; };
+            }
+            """);
     }
 }

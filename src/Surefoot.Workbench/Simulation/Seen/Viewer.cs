@@ -79,7 +79,7 @@ internal sealed class Viewer : IRemoteObserver
     /// <summary>How often a body found here was not moved but put somewhere else, modulo 256.</summary>
     public byte LeapsOf(PhysicsBody body) => leaps.GetValueOrDefault(body.Id).Count;
 
-    /// <summary>What is near becomes known, what is far is forgotten; then the time passes here, too. After the true world's tick.</summary>
+    /// <summary>What is near becomes known, what is far is forgotten; then the time passes here. After the true world's tick.</summary>
     /// <param name="place">Where the page's player is.</param>
     /// <param name="objects">Everything there is but the page's player.</param>
     /// <param name="now">Seconds.</param>
