@@ -56,12 +56,13 @@ public sealed class OthersPageTests(Browser browser)
         await tab.Until($"{creatures}.length === 6", "the creatures are near");
         ILocator card = page.Locator("#creature");
         Assert.False(await card.IsVisibleAsync());
-        for (int attempt = 0; attempt < 20 && !await card.IsVisibleAsync(); attempt++)
+        for (int attempt = 0; attempt < 100 && !await card.IsVisibleAsync(); attempt++)
         {
-            // One that walks may have left the point by the time of the click.
+            // Where no card lies. One that walks may come there, and may have left the point by the time of the click.
+            await Task.Delay(200);
             JsonElement at = await tab.Read(
                 $"{creatures}.map((one) => window.surefoot.onScreen(one.body))" +
-                ".find((one) => one && one.x > 0.3 && one.x < 0.7 && one.y > 0.2)");
+                ".find((one) => one && one.x > 0.42 && one.x < 0.66 && one.y > 0.2 && one.y < 0.9)");
             if (at.ValueKind != JsonValueKind.Object) continue;
             await page.Mouse.ClickAsync(
                 (float)(at.GetProperty("x").GetDouble() * Browser.Width), (float)(at.GetProperty("y").GetDouble() * Browser.Height));
