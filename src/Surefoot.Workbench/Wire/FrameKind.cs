@@ -20,8 +20,8 @@ internal enum FrameKind : byte
     Use = 0x04,
 
     /// <summary>
-    /// Page → server: <c>u8 buttons, f32 right</c>: the pointer's buttons held (<see cref="PointerButtons"/>), and how far it moved to the
-    /// right, counts.
+    /// Page → server: <c>u8 buttons, f32 right</c>: the pointer's buttons held (<see cref="PointerButtons"/>), and how far it moved
+    /// to the right, counts.
     /// </summary>
     Pointer = 0x05,
 
@@ -58,7 +58,9 @@ internal enum FrameKind : byte
     /// <summary>Server → page: the page's own player after a tick; see <see cref="ServerFrames.Pose"/>.</summary>
     Pose = 0x82,
 
-    /// <summary>Server → page: all other players after a tick; who is not listed is gone; see <see cref="ServerFrames.Others"/>.</summary>
+    /// <summary>
+    /// Server → page: all other players after a tick; who is not listed is gone; see <see cref="ServerFrames.Others"/>.
+    /// </summary>
     Others = 0x83,
 
     /// <summary>Server → page: something that happened to the page's own player; see <see cref="ServerFrames.Event"/>.</summary>
@@ -85,7 +87,8 @@ internal enum FrameKind : byte
     Walk = 0x88,
 
     /// <summary>
-    /// Server → page: where the others are in truth, after each tick, for a page that wants to know; see <see cref="ServerFrames.Truth"/>.
+    /// Server → page: where the others are in truth, after each tick, for a page that wants to know; see
+    /// <see cref="ServerFrames.Truth"/>.
     /// </summary>
     Truth = 0x89,
 }
