@@ -206,6 +206,7 @@ internal sealed class SimulatedPlayer(
     /// <summary>Looks at the body after the world's tick.</summary>
     public void AfterTick(double now)
     {
+        Seen.Broadcast.Update(now);
         Observe(now);
         walk.Observe(Player.Body.Position, Pose, touches, now);
     }

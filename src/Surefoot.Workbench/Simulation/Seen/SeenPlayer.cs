@@ -23,7 +23,10 @@ internal sealed class SeenPlayer : ISeenObject
         this.player = player;
         this.shape = shape;
         this.name = name;
-        Broadcast = new PlayerBroadcast(player.Body.Id, WireOf(player.Body.Position), Audience, runRate) { TellsMotionAfterJump = true };
+        Broadcast = new PlayerBroadcast(player.Body.Id, WireOf(player.Body.Position), Audience, runRate)
+        {
+            Detail = BroadcastDetail.Full,
+        };
     }
 
     /// <summary>What its client says goes here.</summary>
