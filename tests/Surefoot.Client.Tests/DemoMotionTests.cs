@@ -130,6 +130,7 @@ public sealed class DemoMotionTests(DemoFiles files) : IClassFixture<DemoFiles>
         Assert.Equal(MotionError.None, movement.DoMotion(MotionCommand.TurnRight, new MovementParameters()));
         Assert.Equal(new Vector3(0, 0, -1.5f), movement.Animation.Sequence.Omega);
 
+        Assert.Equal(MotionError.None, movement.StopMotion(MotionCommand.TurnRight, new MovementParameters()));
         Do(movement, MotionCommand.NonCombat);
         Tick(30);
         Assert.Equal((MotionCommand.NonCombat, MotionCommand.Ready), (movement.Animation.Style, movement.Animation.Substate));
