@@ -1,15 +1,20 @@
 // A server that lets players say where they are, and judges it. One line a message, over TCP on this machine:
-//     enter RUN JUMP PLACE  ->  at PLACE                                   (run and jump skill)
-//     claim SECONDS PLACE   ->  accepted | corrected PLACE: why            (seconds since the one before)
-// and "refused: why" where a line makes no sense.      dotnet run --project samples/ClaimServer -- DIR [PORT]
+//     enter RUN JUMP PLACE                                 ->  at PLACE        (run and jump skill)
+//     keys SECONDS FORWARD,SIDESTEP,TURN,HOLD,BITS PLACE   ->  accepted | corrected | refused PLACE: why
+//     jump SECONDS EXTENT,X,Y,Z PLACE                      ->  the same
+//     claim SECONDS - PLACE                                ->  the same        (seconds since the line before)
+// with what MoveToState, Jump and AutonomousPosition carry (commands in hexadecimal), and a place as /loc prints it.
+// "error: why" where a line makes no sense.      dotnet run --project samples/ClaimServer -- DIR [PORT]
 using System.Globalization;
 using System.Net;
 using System.Net.Sockets;
+using System.Numerics;
 using Surefoot;
 using Surefoot.Dats;
 using Surefoot.Physics.Motion;
-using Surefoot.Physics.Queries;
 using Surefoot.Physics.World;
+using Surefoot.Protocol.Messages;
+using Surefoot.Server;
 
 CultureInfo.DefaultThreadCurrentCulture = CultureInfo.InvariantCulture;
 if (args.Length is < 1 or > 2 || (args.Length == 2 && !ushort.TryParse(args[1], out _)))
@@ -49,22 +54,17 @@ static async Task ServeAsync(TcpClient client, Simulation world)
         }
         catch (Exception e) when (e is IOException or SocketException)
         {
-            // The player is gone.
         }
     }
 }
 
-/// <summary>What one player claims.</summary>
+// What one player claims.
 internal sealed class Claims(Simulation world)
 {
-    private const double SpeedTolerance = 1.05, Slack = 0.1, Apart = 0.25;
+    private static readonly MovementStamps Stamps = new(Instance: 1, 0, 0, 0);
+    private MovementAuthority? authority;
+    private double now;
 
-    private readonly WorldQuery query = world.Engine.CreateQuery();
-    private readonly Mover human = Mover.OfBody(world.Human, weenie: WeenieTraits.Present | WeenieTraits.Player | WeenieTraits.Creature);
-    private PlaceResult at;
-    private double speed, jump;
-
-    /// <summary>Answers a line.</summary>
     public string Answer(string line)
     {
         try
@@ -74,43 +74,46 @@ internal sealed class Claims(Simulation world)
             {
                 return line.Split(' ', 4) switch
                 {
-                    ["enter", string run, string jump, string place] => Enter(int.Parse(run), int.Parse(jump), Place.Parse(place)),
-                    ["claim", string seconds, string place] when at.Found => Claim(double.Parse(seconds), Place.Parse(place)),
-                    ["claim", ..] => "refused: enter first",
-                    _ => "refused: say 'enter RUN JUMP PLACE' or 'claim SECONDS PLACE'",
+                    ["enter", string run, string jump, string place] => Enter(new(int.Parse(run), int.Parse(jump)), Place.Parse(place)),
+                    ["keys" or "jump" or "claim", ..] when authority is null => "error: enter first",
+                    [string what, string seconds, string words, string place] =>
+                        Judge(what, double.Parse(seconds), words.Split(','), place),
+                    _ => "error: say enter, keys, jump or claim",
                 };
             }
         }
         catch (Exception e) when (e is FormatException or OverflowException or PlaceException or ArgumentException)
         {
-            return $"refused: {e.Message}";
+            return $"error: {e.Message}";
         }
     }
 
-    private string Enter(int runSkill, int jumpSkill, Place place)
+    private string Enter(CharacterStats stats, Place place)
     {
-        PlaceResult found = query.Place(new PlaceInput(human, world.Find(place)));
-        if (!found.Found) return "refused: there is no room";
-        at = found;
-        speed = MovementFormulas.RunSpeed * MovementFormulas.RunRate(0, Math.Max(0, runSkill));
-        jump = MovementFormulas.JumpHeight(0, Math.Max(0, jumpSkill), 1);
-        return $"at {new Place(at.Position)}";
+        MovementAuthority entering = new(world.Engine, world.Human, world.HumanMotions, stats);
+        if (!entering.TryPlace(world.Find(place), now)) return "error: there is no room";
+        authority = entering;
+        return $"at {new Place(authority.Position)}";
     }
 
-    private string Claim(double seconds, Place place)
+    private string Judge(string what, double seconds, string[] words, string place)
     {
-        if (!(seconds > 0) || seconds > 10) return "refused: a claim is due every ten seconds, and time does not run backwards";
-        Position to = world.Find(place);
-        double far = at.Position.HorizontalDistanceTo(to), high = at.Position.OffsetTo(to).Z;
-        if (far > (speed * seconds * SpeedTolerance) + Slack) return Correct($"{far / seconds:0.0} m/s, where {speed:0.0} m/s can be run");
-        if (high > jump + human.Setup.StepUpHeight) return Correct($"{high:0.0} m up, where {jump:0.0} m can be jumped");
-
-        // Who is on the ground keeps to it on the way; who is in the air does not.
-        bool grounded = query.ProbeDown(new ProbeDownInput(human, to, (float)Slack)).Found;
-        SweepResult way = query.Sweep(new SweepInput(human, at.Position, to) { Contact = grounded ? at.Contact : null });
-        if (way.Found) at = at with { Position = way.Position, Contact = way.Contact };
-        return way.Found && way.Position.DistanceTo(to) <= Apart ? "accepted" : Correct("something is in the way");
+        if (!(seconds is >= 0 and <= 60)) throw new FormatException("a line is due every minute, and time does not run backwards");
+        now += seconds;
+        Position there = world.Find(Place.Parse(place));
+        WirePosition at = new(there.CellId, there.Frame.Origin, there.Frame.Rotation);
+        ClaimVerdict verdict = (what, words.Length) switch
+        {
+            ("keys", 5) => authority!.Judge(Keys([.. words.Select(word => uint.Parse(word, NumberStyles.HexNumber))], at), now),
+            ("jump", 4) => authority!.Judge(Jump([.. words.Select(float.Parse)], at), now),
+            ("claim", _) => authority!.Judge(new AutonomousPosition(at, Stamps, Contact: true), now),
+            _ => throw new FormatException($"{words.Length} words are no {what}"),
+        };
+        return $"{verdict.Outcome.ToString().ToLowerInvariant()} {new Place(verdict.Position)}: {verdict.Reason}";
     }
 
-    private string Correct(string why) => $"corrected {new Place(at.Position)}: {why}";
+    private static MoveToState Keys(uint[] n, in WirePosition at) => new(
+        new WireRawMotion(n[3], forwardCommand: n[0], sidestepCommand: n[1], turnCommand: n[2]), at, Stamps, n[4] % 2 == 1, n[4] > 1);
+
+    private static Jump Jump(float[] n, in WirePosition at) => new(n[0], new Vector3(n[1], n[2], n[3]), at, Stamps);
 }

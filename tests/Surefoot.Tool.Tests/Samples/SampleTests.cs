@@ -4,9 +4,7 @@ using System.Net;
 using System.Net.Sockets;
 using System.Text.RegularExpressions;
 using System.Xml.Linq;
-using Surefoot.Client;
 using Surefoot.DemoWorld;
-using Surefoot.Physics.Motion;
 using Surefoot.Tool.Tests.Commands;
 
 namespace Surefoot.Tool.Tests.Samples;
@@ -101,8 +99,8 @@ public partial class SampleTests
         }
     }
 
-    [Fact, Behaviour("samples.claim-server", "what the engine itself walks is accepted; faster than 10.6 m/s, and through walls, is not")]
-    public async Task The_server_accepts_what_can_be_walked_and_corrects_what_cannot()
+    [Fact, Behaviour("samples.claim-server", "what a client walks is accepted; too fast and through walls is not")]
+    public async Task The_server_accepts_what_a_client_tells_and_refuses_what_cannot_be()
     {
         using Process server = Process.Start(WithOutput(Sample.Start("ClaimServer", Sample.World)))!;
         try
@@ -118,49 +116,33 @@ public partial class SampleTests
                 return (await reader.ReadLineAsync())!;
             }
 
-            Assert.StartsWith("refused: enter first", await SayAsync("claim 1 0xA9B50032,156,25"), StringComparison.Ordinal);
+            const string keys = "keys 0 45000005,0,0,2,1";
+            Assert.Equal("error: enter first", await SayAsync("claim 1 - 0xA9B50032,156,25"));
             NamedPlace corner = Sample.PlaceOf("corners");
             Assert.StartsWith($"at 0x{corner.CellId:X8},", await SayAsync($"enter 300 250 {corner.Words()}"), StringComparison.Ordinal);
-            Assert.All(await WalkAsync(corner, SayAsync), answer => Assert.Equal("accepted", answer));
+            ClaimLines told = ClaimLines.OfAWalk(corner);
+            Assert.True(told.Lines.Count > 5);
+            foreach (string line in told.Lines) Assert.StartsWith("accepted ", await SayAsync(line), StringComparison.Ordinal);
 
             Assert.StartsWith("at 0x", await SayAsync($"enter 300 250 {corner.Words()}"), StringComparison.Ordinal);
+            Assert.StartsWith("accepted ", await SayAsync($"{keys} {corner.Words()},0"), StringComparison.Ordinal);
             string behind = (corner with { Origin = corner.Origin + new System.Numerics.Vector3(0, 15, 0) }).Words();
-            Assert.EndsWith("something is in the way", await SayAsync($"claim 2 {behind}"), StringComparison.Ordinal);
-            string far = await EastAsync(10, SayAsync);
-            Assert.Matches("^corrected 0x.*: 100.0 m/s, where 10.6 m/s can be run$", await SayAsync($"claim 0.1 {far}"));
-            Assert.StartsWith("refused: ", await SayAsync("claim NaN 0xA9B50032,156,25"), StringComparison.Ordinal);
-            Assert.StartsWith("refused: ", await SayAsync("claim 1 0xFFFF0001,NaN,0"), StringComparison.Ordinal);
-            Assert.StartsWith("refused: ", await SayAsync("give me gold"), StringComparison.Ordinal);
+            Assert.Matches("^refused 0x.*: ThroughWall$", await SayAsync($"claim 2 - {behind},0"));
+
+            NamedPlace runway = Sample.PlaceOf("runway");
+            Assert.StartsWith("at 0x", await SayAsync($"enter 300 250 {runway.Words()}"), StringComparison.Ordinal);
+            Assert.StartsWith("accepted ", await SayAsync($"{keys} {runway.Words()},0"), StringComparison.Ordinal);
+            string far = (runway with { Origin = runway.Origin + new System.Numerics.Vector3(0, 35, 0) }).Words();
+            Assert.Matches("^refused 0x.*: TooFast$", await SayAsync($"claim 0.1 - {far},0"));
+            Assert.StartsWith("error: ", await SayAsync("claim NaN - 0xA9B50032,156,25"), StringComparison.Ordinal);
+            Assert.StartsWith("error: ", await SayAsync("claim 1 - 0xFFFF0001,NaN,0"), StringComparison.Ordinal);
+            Assert.StartsWith("error: ", await SayAsync("keys 1 2 0xA9B50032,156,25"), StringComparison.Ordinal);
+            Assert.StartsWith("error: ", await SayAsync("give me gold"), StringComparison.Ordinal);
         }
         finally
         {
             server.Kill();
         }
-    }
-
-    /// <summary>Runs into the corner and jumps, claiming four times a second where the player is.</summary>
-    private static async Task<List<string>> WalkAsync(NamedPlace from, Func<string, Task<string>> say)
-    {
-        const double Interval = 0.25;
-        List<string> answers = [];
-        using Simulation world = Simulation.Open(Sample.World);
-        Player player = world.SpawnPlayer(Place.Parse(from.Words()), new CharacterStats(RunSkill: 300, JumpSkill: 250));
-        double now = 0;
-        for (double claim = Interval; claim < 4; claim += Interval)
-        {
-            for (; now < claim; now += 1.0 / 60)
-                player.Update(MovementKeys.Forward | (now is > 1 and < 1.4 ? MovementKeys.Jump : MovementKeys.None), now);
-            answers.Add(await say(FormattableString.Invariant($"claim {Interval} {new Place(player.Position)}")));
-        }
-
-        return answers;
-    }
-
-    private static async Task<string> EastAsync(float metres, Func<string, Task<string>> say)
-    {
-        NamedPlace meadow = Sample.PlaceOf("meadow");
-        await say($"enter 300 250 {meadow.Words()}");
-        return (meadow with { Origin = meadow.Origin + new System.Numerics.Vector3(metres, 0, 0) }).Words();
     }
 
     private static ProcessStartInfo WithOutput(ProcessStartInfo start)
