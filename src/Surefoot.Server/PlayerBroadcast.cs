@@ -13,8 +13,9 @@ public enum BroadcastDetail
     Live,
 
     /// <summary>
-    /// More, in the same messages: a place with each motion; a jumper that goes on turning in the air, and running when it has landed; the
-    /// place of one who stands three times more, a second apart, so that no late motion leaves it elsewhere.
+    /// More, in the same messages: a place with each motion; a jumper that goes on turning in the air, and running when it has landed; no
+    /// velocity with the place where it lands, so that a take-off which comes later than that is dropped; the place of one who stands
+    /// three times more, a second apart, so that no late motion leaves it elsewhere.
     /// </summary>
     Full,
 }
@@ -127,7 +128,10 @@ public sealed class PlayerBroadcast
         TakePlace(position.Position, position.Contact, isDue: true, now);
         if (!position.Contact || !hasJumped) return;
         hasJumped = false;
-        if (Detail == BroadcastDetail.Full) TellMotion(seen = Asked(), autonomous: true);
+        if (Detail != BroadcastDetail.Full) return;
+        // Stamps of places do not hold back a take-off that comes late, those of velocities do: nobody jumps where it stands already.
+        TellVelocity(default);
+        TellMotion(seen = Asked(), autonomous: true);
     }
 
     /// <summary>
@@ -147,9 +151,7 @@ public sealed class PlayerBroadcast
         }
 
         TellMotion(seen, autonomous: true);
-        Vector3 velocity = Vector3.Transform(jump.Velocity, jump.Position.Orientation);
-        Stamps = Stamps with { Vector = Next(Stamps.Vector) };
-        audience.Tell(new VectorUpdate(player, velocity, default, Stamps.Instance, Stamps.Vector));
+        TellVelocity(Vector3.Transform(jump.Velocity, jump.Position.Orientation));
     }
 
     /// <summary>Lets time pass: what is told once more is told. To be called often, as each frame.</summary>
@@ -226,6 +228,12 @@ public sealed class PlayerBroadcast
     {
         Stamps = Stamps with { Movement = Next(Stamps.Movement) };
         audience.Tell(new UpdateMotion(player, Stamps.Instance, Stamps.Movement, Stamps.ServerControlledMove, autonomous, motion));
+    }
+
+    private void TellVelocity(Vector3 velocity)
+    {
+        Stamps = Stamps with { Vector = Next(Stamps.Vector) };
+        audience.Tell(new VectorUpdate(player, velocity, default, Stamps.Instance, Stamps.Vector));
     }
 
     private void TellState(uint value)

@@ -97,6 +97,25 @@ public class PlayerBroadcastTests
     }
 
     [Fact]
+    [Behaviour("broadcast.full.landing", "BroadcastDetail.Full; spec/09, 5.2: a velocity acts when its VECTOR stamp is newer")]
+    public void In_full_who_lands_has_no_velocity_any_more_by_a_newer_stamp_than_the_take_off()
+    {
+        PlayerBroadcast full = Full();
+        full.Take(new AutonomousPosition(At(12), NoStamps, Contact: true), now: 0);
+        Assert.Empty(audience.Told.OfType<VectorUpdate>());
+        full.Take(new Jump(0.5f, new Vector3(0, 4, 5), At(12), NoStamps));
+        full.Take(new AutonomousPosition(At(15), NoStamps, Contact: false), now: 0.5);
+        full.Take(new AutonomousPosition(At(20), NoStamps, Contact: true), now: 1);
+        full.Take(new AutonomousPosition(At(21), NoStamps, Contact: true), now: 2);
+        Assert.Equal(
+            [
+                new VectorUpdate(Player, new Vector3(0, 4, 5), default, 1, 1),
+                new VectorUpdate(Player, default, default, 1, 2),
+            ],
+            audience.Told.OfType<VectorUpdate>());
+    }
+
+    [Fact]
     [Behaviour("broadcast.full.places", "BroadcastDetail.Full")]
     public void In_full_each_motion_comes_with_its_place()
     {

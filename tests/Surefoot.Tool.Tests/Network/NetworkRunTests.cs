@@ -41,6 +41,16 @@ public class NetworkRunTests
     }
 
     [Fact]
+    [Behaviour("remote.followed-late-take-off", "spec/09, 4.4, 5.2 and 5.5; BroadcastDetail.Full")]
+    public void A_take_off_that_comes_after_the_landing_moves_nobody_who_rests()
+    {
+        // In this run the packet of a jump at 77 s is lost and comes again 0.2 s after the place where it landed.
+        NetworkFigures run = Run(42, minutes: 1.5);
+        Assert.InRange(run.AtRest.Count, 1, 100);
+        Assert.InRange(run.AtRest.Max(one => one.Distance), 0, NetworkFigures.RestLimit);
+    }
+
+    [Fact]
     [Behaviour("remote.followed-same-seed", "design, decision 5")]
     public void The_same_seed_draws_the_same()
     {
@@ -65,7 +75,8 @@ public class NetworkRunTests
     {
         double[] off = [.. Enumerable.Range(1, 100).Select(i => i / 100.0)];
         RestDistance near = new(0.03, 0.04), apart = new(0.01, -0.25), blocked = new(0.12, 0.05), far = new(0.3, 0.4);
-        NetworkFigures figures = new(100, [near, apart, blocked], off, 100, [], 0, 3, 1, 1, 1, 1, 1, Seconds: 600);
+        RestDistance[] rests = [near, apart, blocked, .. Enumerable.Repeat(near, 97)];
+        NetworkFigures figures = new(100, rests, off, 100, [], 0, 3, 1, 1, 1, 1, 1, Seconds: 600);
         Assert.Equal((0.95, 1.0), (figures.P95OffPath, figures.MaxOffPath));
         Assert.Equal(0.505, figures.MeanOffPath, 9);
         Assert.Equal((0.05, 1, 1), (Math.Round(figures.WorstAtRest, 9), figures.StepsApart, figures.GivenUp));
@@ -73,6 +84,10 @@ public class NetworkRunTests
         Assert.True(figures.IsGood);
         Assert.Equal(0.5, (figures with { AtRest = [near, far] }).WorstAtRest, 9);
         Assert.False((figures with { AtRest = [far] }).IsGood);
+        Assert.False((figures with { AtRest = [.. figures.AtRest, apart] }).IsGood);
+        Assert.False((figures with { AtRest = [.. figures.AtRest, blocked] }).IsGood);
+        Assert.True((figures with { AtRest = [near, apart] }).IsGood);
+        Assert.False((figures with { AtRest = [near, apart, blocked] }).IsGood);
         Assert.False((figures with { InSolid = ["there"] }).IsGood);
         Assert.False((figures with { OffPath = [1, 1] }).IsGood);
     }
