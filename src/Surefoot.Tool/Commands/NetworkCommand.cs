@@ -53,9 +53,9 @@ internal static class NetworkCommand
             "network",
             "Lets a player run, turn, jump, stop and climb stairs, draws it as another client does that hears of it over a bad network, " +
             "and prints how near the two are. Exit code 1 when it is ever inside a solid; when it is more than 5 cm from its last report " +
-            "two seconds after that arrived, but for those within 20 cm with something in the way and those on the next step, together " +
-            "2 % of the last reports or one, whichever is more; or when it is 1 m or more off its path of the last second in over a " +
-            "twentieth of the frames.\n\n" +
+            "two seconds after that arrived, but for one time or 2 % of the last reports, whichever is more, in which it is within 20 cm " +
+            "with something in the way, on the next step, or still following earlier places in their order; or when it is 1 m or more " +
+            "off its path of the last second in over a twentieth of the frames.\n\n" +
             "Example:\n" +
             "  surefoot network --minutes 10 --seed 7 --delay 200 --jitter 100 --loss 5 --duplicates 2\n" +
             "  surefoot network --way \"house-stairs;house-upstairs\" --loss 20 --json")
@@ -126,7 +126,7 @@ internal static class NetworkCommand
         Row("at rest, worst", Text(figures.WorstAtRest * 100, "0.00 cm"),
             $"of {figures.AtRest.Count} last reports, 2 s after arrival; at most {Text(NetworkFigures.RestLimit * 100, "0 cm")}; " +
             $"{figures.StepsApart} there, but on the next step, {figures.GivenUp} within 20 cm with something in the way, " +
-            $"both together at most {figures.MostExcused}");
+            $"{figures.UnderWay} still following earlier places, together at most {figures.MostExcused}");
         Row("inside a solid", Text(figures.InSolid.Count, "0"),
             $"of {figures.Judged} frames; never. {figures.WithoutFaces} more in a leaf marked solid without touching a face");
         Row("off the path, mean", Text(figures.MeanOffPath, "0.000 m"), "from the nearest point of the last second");
@@ -154,7 +154,12 @@ internal static class NetworkCommand
         figures.Resent,
         AtRest = new
         {
-            Count = figures.AtRest.Count, Worst = figures.WorstAtRest, figures.StepsApart, figures.GivenUp, figures.MostExcused,
+            Count = figures.AtRest.Count,
+            Worst = figures.WorstAtRest,
+            figures.StepsApart,
+            figures.GivenUp,
+            figures.UnderWay,
+            figures.MostExcused,
         },
         InSolid = new { figures.Judged, Count = figures.InSolid.Count, figures.WithoutFaces, Places = figures.InSolid.Take(100) },
         OffPath = new { Mean = figures.MeanOffPath, P95 = figures.P95OffPath, Max = figures.MaxOffPath },

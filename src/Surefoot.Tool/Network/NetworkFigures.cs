@@ -33,8 +33,8 @@ internal sealed record NetworkFigures(
     internal const double PathLimit = 1;
 
     /// <summary>
-    /// The share of rests that may be a step apart or given up, both together, where retail's own rules leave a body. One may in any run:
-    /// ten minutes have some twenty rests.
+    /// The share of rests that may be a step apart, given up or under way, all together: where retail's own rules have a body. One may in
+    /// any run: ten minutes have some twenty rests.
     /// </summary>
     internal const double ExcusedShare = 0.02;
 
@@ -45,9 +45,8 @@ internal sealed record NetworkFigures(
     /// <summary>The distance that 95 of 100 frames do not exceed.</summary>
     internal double P95OffPath => OffPath.Length > 0 ? OffPath[(int)Math.Ceiling(0.95 * OffPath.Length) - 1] : 0;
 
-    /// <summary>The farthest at rest, those a step apart and those given up left out; metres.</summary>
-    internal double WorstAtRest =>
-        AtRest.Where(one => !one.IsAStepApart && !one.IsGivenUp).Select(one => one.Distance).DefaultIfEmpty().Max();
+    /// <summary>The farthest at rest, those left out that are a step apart, given up or under way; metres.</summary>
+    internal double WorstAtRest => AtRest.Where(one => !one.IsExcused).Select(one => one.Distance).DefaultIfEmpty().Max();
 
     /// <summary>How often it stood where it was to be, but a step higher or lower.</summary>
     internal int StepsApart => AtRest.Count(one => one.IsAStepApart);
@@ -55,20 +54,24 @@ internal sealed record NetworkFigures(
     /// <summary>How often it stood within 0.2 m, and something was in the way.</summary>
     internal int GivenUp => AtRest.Count(one => one.IsGivenUp);
 
-    /// <summary>How many may be a step apart or given up: one, or 2 % of the rests if that is more.</summary>
+    /// <summary>How often it was still following places that it had been told before.</summary>
+    internal int UnderWay => AtRest.Count(one => one.IsUnderWay);
+
+    /// <summary>How many may be a step apart, given up or under way: one, or 2 % of the rests if that is more.</summary>
     internal int MostExcused => Math.Max(1, (int)(ExcusedShare * AtRest.Count));
 
     internal double BlipsAnHour => Blips * 3600 / Seconds;
 
     /// <summary>Everything is as near as it is to be.</summary>
     internal bool IsGood =>
-        WorstAtRest <= RestLimit && StepsApart + GivenUp <= MostExcused && InSolid.Count == 0 && P95OffPath < PathLimit;
+        WorstAtRest <= RestLimit && AtRest.Count(one => one.IsExcused) <= MostExcused && InSolid.Count == 0 && P95OffPath < PathLimit;
 }
 
 /// <summary>How far a body that stands is from where it was told to be.</summary>
 /// <param name="OverGround">Metres over ground.</param>
 /// <param name="Height">Metres up to where it was told to be.</param>
-internal readonly record struct RestDistance(double OverGround, double Height)
+/// <param name="Follows">It has places yet to follow.</param>
+internal readonly record struct RestDistance(double OverGround, double Height, bool Follows = false)
 {
     /// <summary>What a human steps down without leaving the ground, metres.</summary>
     private const double MostStep = 0.6;
@@ -90,6 +93,15 @@ internal readonly record struct RestDistance(double OverGround, double Height)
     /// (specification 09, 3.2, step 5, and 6.4 d).
     /// </summary>
     internal bool IsGivenUp => !IsAStepApart && Distance is > NetworkFigures.RestLimit and < QuietLimit;
+
+    /// <summary>
+    /// It is on its way: places are followed in the order in which they were told, and none in the air. Who had not got to where it took
+    /// off goes back there when it has landed, and only then to where it is to be (specification 09, 3.2 and 4.4).
+    /// </summary>
+    internal bool IsUnderWay => Follows && !IsAStepApart && Distance >= QuietLimit;
+
+    /// <summary>Retail's own rules have it elsewhere.</summary>
+    internal bool IsExcused => IsAStepApart || IsGivenUp || IsUnderWay;
 }
 
 /// <summary>The way of a body in its last second.</summary>

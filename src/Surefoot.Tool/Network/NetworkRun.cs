@@ -207,7 +207,8 @@ internal sealed class NetworkRun : IMovementObserver, IAudience, IMessageReceive
         offPath.Add(path.DistanceTo(place));
         if (lastReport is { } last && now - last.Arrived >= RestTime)
         {
-            atRest.Add(new RestDistance(place.HorizontalDistanceTo(last.Place), place.OffsetTo(last.Place).Z));
+            bool follows = SteeredPhysicsBody.Of(drawn).IsInterpolating;
+            atRest.Add(new RestDistance(place.HorizontalDistanceTo(last.Place), place.OffsetTo(last.Place).Z, follows));
             lastReport = null;
         }
 

@@ -88,6 +88,9 @@ public class NetworkRunTests
         Assert.False((figures with { AtRest = [.. figures.AtRest, blocked] }).IsGood);
         Assert.True((figures with { AtRest = [near, apart] }).IsGood);
         Assert.False((figures with { AtRest = [near, apart, blocked] }).IsGood);
+        NetworkFigures late = figures with { AtRest = [near, far with { Follows = true }] };
+        Assert.Equal((0.05, 1, true), (Math.Round(late.WorstAtRest, 9), late.UnderWay, late.IsGood));
+        Assert.False((late with { AtRest = [.. late.AtRest, .. late.AtRest] }).IsGood);
         Assert.False((figures with { InSolid = ["there"] }).IsGood);
         Assert.False((figures with { OffPath = [1, 1] }).IsGood);
     }
