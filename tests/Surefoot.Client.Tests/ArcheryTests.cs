@@ -29,6 +29,14 @@ public sealed class ArcheryTests : IClassFixture<DemoFiles>
         engine.World.EnsureLoadedAround(MuzzleOf(Shooter("bow")), 1);
     }
 
+    [Fact, Behaviour("server.missiles.bad-options", "design, decision 7")]
+    public void Missiles_that_may_not_fly_or_fly_for_no_time_are_refused()
+    {
+        foreach (double lifetime in (double[])[0, -1, double.NaN, double.PositiveInfinity])
+            Assert.Throws<ArgumentException>(() => new Missiles(engine, new MissileOptions { Lifetime = lifetime }));
+        Assert.Throws<ArgumentException>(() => new Missiles(engine, new MissileOptions { MostFlying = 0 }));
+    }
+
     [Fact, Behaviour("demo-world.archery.hits-the-target", "spec/02, 4.6: gravity; spec/06, 7")]
     public void The_archer_s_arrow_hits_the_target_after_its_arc_and_is_taken_away()
     {

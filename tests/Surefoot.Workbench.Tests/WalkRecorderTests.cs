@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Numerics;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.World;
@@ -139,6 +140,52 @@ public sealed class WalkRecorderTests
 
         Assert.Equal(WalkRecorder.MostLegs, Script.Split(';').Length);
         Assert.Equal("what came after 4000 changes of keys or an hour", record.LeftOut);
+        record.Act(PlayerKeys.None, false, tick);
+        Ticks(60);
+        record.Act(PlayerKeys.Back, false, tick);
+        Ticks(32);
+        Assert.Equal(("\"S 1.125\"", ""), (Script, record.LeftOut));
+    }
+
+    [Fact]
+    [Behaviour("workbench.walk.an-hour", "design.md, Errors")]
+    public void A_walk_of_more_than_an_hour_ends_where_a_script_does_and_the_next_one_begins_anew()
+    {
+        Ticks(1);
+        record.Act(PlayerKeys.None, true, tick);
+        Ticks((int)(3700 / Q), speed: 8);
+        Assert.InRange(double.Parse(Script.Split(' ')[1].Trim('"'), CultureInfo.InvariantCulture), 3580, 3600);
+        Assert.Equal("what came after 4000 changes of keys or an hour", record.LeftOut);
+        record.Act(PlayerKeys.None, false, tick);
+        Ticks(60);
+        record.Act(Forward, false, tick);
+        Ticks(32, speed: 8);
+        Assert.Equal(("\"W 1.125\"", ""), (Script, record.LeftOut));
+    }
+
+    /// <summary>Both buttons run ahead, and the right one turns: a walk of its own, of which nothing can be said by keys.</summary>
+    [Fact]
+    [Behaviour("workbench.walk.mouse-buttons", "spec/09b, 9.7")]
+    public void What_the_mouse_moves_after_a_rest_begins_a_walk_that_says_so()
+    {
+        Ticks(1);
+        record.Act(Forward, false, tick);
+        Ticks(32, speed: 8);
+        record.Act(PlayerKeys.None, false, tick);
+        Ticks(60);
+        byte before = record.Count;
+        record.Steer(true);
+        Ticks(32, speed: 8);
+        record.Steer(false);
+        Ticks(1);
+        Assert.Equal(((byte)(before + 1), "what the mouse did"), (record.Count, record.LeftOut));
+        Assert.StartsWith("surefoot walk --at 0xA9B50032,156,32,20,0 ", record.Command(null), StringComparison.Ordinal);
+        Ticks(60);
+        record.Steer(true);
+        Ticks(60);
+        record.Act(PlayerKeys.TurnLeft, false, tick);
+        Ticks(1);
+        Assert.Equal("what the mouse did", record.LeftOut);
     }
 
     [Theory]

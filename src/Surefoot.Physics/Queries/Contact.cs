@@ -24,6 +24,11 @@ public readonly record struct Contact(Plane Plane, uint CellId, bool IsWater = f
     internal void ThrowIfBad(string name)
     {
         BodySeat.ThrowIfNoFooting(Plane, CellId, name);
-        if (CellId != 0 && !CellIds.IsValid(CellId)) throw new ArgumentException($"0x{CellId:X8}, the contact's, is not on the map.", name);
+        if (CellId != 0) ThrowIfOffMap(CellId, name);
+    }
+
+    internal static void ThrowIfOffMap(uint cellId, string name)
+    {
+        if (!CellIds.IsValid(cellId)) throw new ArgumentException($"0x{cellId:X8}, the contact plane's, is not on the map.", name);
     }
 }

@@ -86,6 +86,7 @@ public sealed partial class WorldQuery
         population.ThrowIfForeign(body);
         from.ThrowIfBad(nameof(from));
         ThrowIfNowhere(from.Position, nameof(from));
+        if (from.ContactPlaneCellId != 0) Contact.ThrowIfOffMap(from.ContactPlaneCellId, nameof(from));
         return Sweep(body, from, population.Cells.GetVisible(from.Position.CellId), to, trace, nameof(to));
     }
 

@@ -21,8 +21,8 @@ public enum ClaimReason
     /// <summary>It was.</summary>
     None,
 
-    /// <summary>A number is not finite, an orientation is none, or a command or speed is one that no key asks for.</summary>
-    NotFinite,
+    /// <summary>A number is not finite, an orientation is none, or a speed is one that no key and no pointer asks for.</summary>
+    BadNumber,
 
     /// <summary>It was sent before the player knew of its last life, teleport or correction.</summary>
     StaleSequence,

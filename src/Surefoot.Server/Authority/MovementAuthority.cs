@@ -53,8 +53,8 @@ public sealed partial class MovementAuthority
         this.options = options;
         this.stats = formerStats = stats;
         query = engine.CreateQuery();
-        solid = new Mover(setup, weenie: player);
-        soft = new Mover(setup, PhysicsState.Default | PhysicsState.Ethereal, player);
+        solid = Mover.OfBody(setup, weenie: player);
+        soft = Mover.OfBody(setup, PhysicsState.Default | PhysicsState.Ethereal, player);
         weenie = new PlayerWeenie(stats, options.TopSpeedRule);
         probe = MakeShadow();
         beliefs = new Beliefs(MakeShadow, probe);
@@ -124,7 +124,7 @@ public sealed partial class MovementAuthority
     public ClaimVerdict Judge(in MoveToState claim, double now)
     {
         if (CheckForm(claim.Position, claim.Stamps, now, out Position to) is { } bad) return bad;
-        if (!ClaimReader.TryRead(claim.Motion, keys)) return Refuse(ClaimReason.NotFinite, now);
+        if (!ClaimReader.TryRead(claim.Motion, keys)) return Refuse(ClaimReason.BadNumber, now);
         ClaimVerdict verdict = JudgeWay(to, claim.Contact, now);
         if (keys.TurnCommand != MotionCommand.None) turnedAt = now;
         if (keys.SidestepCommand != MotionCommand.None) steppedAt = now;
@@ -149,7 +149,7 @@ public sealed partial class MovementAuthority
     public ClaimVerdict Judge(in Jump claim, double now)
     {
         if (CheckForm(claim.Position, claim.Stamps, now, out Position to) is { } bad) return bad;
-        if (!float.IsFinite(claim.Extent) || !float.IsFinite(claim.Velocity.LengthSquared())) return Refuse(ClaimReason.NotFinite, now);
+        if (!float.IsFinite(claim.Extent) || !float.IsFinite(claim.Velocity.LengthSquared())) return Refuse(ClaimReason.BadNumber, now);
         ClaimVerdict verdict = JudgeWay(to, stands: true, now);
         if (verdict.Reason == ClaimReason.InTheAir) verdict = verdict with { Reason = ClaimReason.JumpInTheAir };
         if (!verdict.IsAccepted) return Count(verdict);
@@ -165,7 +165,7 @@ public sealed partial class MovementAuthority
     {
         ThrowIfNotFinite(now);
         if (!isPlaced) throw new InvalidOperationException("The player is not anywhere yet; place it first.");
-        if (!ClaimReader.TryRead(wire, out to)) return Refuse(ClaimReason.NotFinite, now);
+        if (!ClaimReader.TryRead(wire, out to)) return Refuse(ClaimReason.BadNumber, now);
         bool current = stamps.Instance == Stamps.Instance && stamps.Teleport == Stamps.Teleport &&
             stamps.ForcePosition == Stamps.ForcePosition;
         return current ? null : Refuse(ClaimReason.StaleSequence, now);

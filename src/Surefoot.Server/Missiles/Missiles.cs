@@ -25,6 +25,13 @@ public sealed record MissileOptions
 
     /// <summary>How long a missile that hits nothing flies, seconds.</summary>
     public double Lifetime { get; init; } = 10;
+
+    internal void ThrowIfBad()
+    {
+        if (MostFlying < 1) throw new ArgumentException("At least one missile is to fly at a time.", nameof(MostFlying));
+        if (!(Lifetime > 0) || !double.IsFinite(Lifetime))
+            throw new ArgumentException("The lifetime of a missile is not a positive number of seconds.", nameof(Lifetime));
+    }
 }
 
 /// <summary>
@@ -44,11 +51,13 @@ public sealed class Missiles : ICollisionListener
     /// <summary>Missiles in an engine's world.</summary>
     /// <param name="engine">The engine.</param>
     /// <param name="options">Ids and bounds.</param>
+    /// <exception cref="ArgumentException">A bound is not a positive number.</exception>
     public Missiles(PhysicsEngine engine, MissileOptions? options = null)
     {
         ArgumentNullException.ThrowIfNull(engine);
         this.engine = engine;
         this.options = options ?? new MissileOptions();
+        this.options.ThrowIfBad();
         nextId = this.options.FirstId;
     }
 

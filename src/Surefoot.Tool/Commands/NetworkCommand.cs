@@ -74,7 +74,8 @@ internal static class NetworkCommand
             CharacterStats stats = new(
                 (int)Between(parsed, run, 0, MaxSkill, "--run 300"), (int)Between(parsed, jump, 0, MaxSkill, "--jump 300"));
             using WalkScene scene = WalkScene.Open(parsed.GetValue(dats));
-            List<ScenePlace> places = [.. parsed.GetRequiredValue(way).Split(';', StringSplitOptions.TrimEntries).Select(scene.FindPlace)];
+            string[] names = parsed.GetRequiredValue(way).Split(';', StringSplitOptions.TrimEntries);
+            List<ScenePlace> places = [.. names.Select(name => scene.FindPlace(name, "--way"))];
             if (places.Count < 2)
                 throw new UsageException("--way takes two places or more, for example --way \"long-stair;platform\".");
             NetworkTrial trial = new(places, stats, quality, parsed.GetValue(seed), length * 60)

@@ -29,20 +29,22 @@ internal sealed class WalkScene : IDisposable
 
     /// <summary>Finds a named place of the demo world, or reads one that is given as a cell and metres.</summary>
     /// <exception cref="UsageException">There is no such name, or the words are no place.</exception>
-    internal ScenePlace FindPlace(string text)
+    /// <param name="text">The name, or the cell and metres.</param>
+    /// <param name="option">The option that the words were given for.</param>
+    internal ScenePlace FindPlace(string text, string option = "--at")
     {
-        if (text.StartsWith("0x", StringComparison.OrdinalIgnoreCase)) return new ScenePlace(text, ParsePlace(text));
+        if (text.StartsWith("0x", StringComparison.OrdinalIgnoreCase)) return new ScenePlace(text, ParsePlace(text, option));
         if (!isDemo)
         {
-            const string instead = "with --dats give a cell and metres, for example --at 0xA9B40001,12,12,0";
-            throw new UsageException($"--at '{text}': named places belong to the demo world; {instead}.");
+            string instead = $"with --dats give a cell and metres, for example {option} 0xA9B40001,12,12,0";
+            throw new UsageException($"{option} '{text}': named places belong to the demo world; {instead}.");
         }
 
         if (!DemoPlaces.TryFind(text, out NamedPlace place))
         {
             string names = string.Join(", ", DemoPlaces.Resembling(text));
             throw new UsageException(
-                $"--at '{text}': there is no such place. Did you mean {names}? 'surefoot demo places' lists them all.");
+                $"{option} '{text}': there is no such place. Did you mean {names}? 'surefoot demo places' lists them all.");
         }
 
         return new ScenePlace(place.Name, new Position(place.CellId, new Frame(place.Origin, place.Orientation)));
@@ -60,7 +62,7 @@ internal sealed class WalkScene : IDisposable
 
     public void Dispose() => Simulation.Dispose();
 
-    private static Place ParsePlace(string text)
+    private static Place ParsePlace(string text, string option)
     {
         try
         {
@@ -68,7 +70,7 @@ internal sealed class WalkScene : IDisposable
         }
         catch (FormatException e)
         {
-            throw new UsageException($"--at {e.Message}");
+            throw new UsageException($"{option} {e.Message}");
         }
     }
 }

@@ -130,7 +130,7 @@ internal sealed class SimulatedPlayer(
     {
         bool turns = buttons.HasFlag(PointerButtons.Right);
         Player.Controller.SetMouseButtons(buttons.HasFlag(PointerButtons.Left), turns, now);
-        if (turns) walk.Miss("what the mouse did");
+        walk.Steer(turns && Player.Controller.UsesMouseTurning);
         if (right != 0) Player.Controller.MoveMouse(right, now);
     }
 

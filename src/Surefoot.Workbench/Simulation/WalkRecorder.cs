@@ -16,8 +16,10 @@ internal sealed class WalkRecorder(PlayerSettings settings)
     /// <summary>Changes of keys that are kept of one walk.</summary>
     public const int MostLegs = 4000;
 
-    /// <summary>How long a walk may last, as long as the command takes a script, seconds.</summary>
-    public const double Longest = 3600;
+    /// <summary>How long a walk may last, seconds: what the command takes, less what its rounded legs may add.</summary>
+    public const double Longest = 3590;
+
+    private const string WhatTheMouseDid = "what the mouse did";
 
     // A body that stands is watched so long for its last quantum, seconds.
     private const double Settle = 0.25;
@@ -25,6 +27,8 @@ internal sealed class WalkRecorder(PlayerSettings settings)
     private readonly List<Leg> legs = [];
     private readonly SortedSet<string> missing = new(StringComparer.Ordinal);
     private PlayerSettings current = settings, settings = settings;
+    private (PlayerKeys Keys, bool AutoRun) held;
+    private bool steers, isFull;
     private Position here, start;
     private double tick, endedAt, stillSince = double.NegativeInfinity;
 
@@ -33,8 +37,6 @@ internal sealed class WalkRecorder(PlayerSettings settings)
 
     /// <summary>What was done that no script of keys can say, in words.</summary>
     public string LeftOut => string.Join(" and ", missing);
-
-    private Leg Acting => legs.Count == 0 ? default : legs[^1];
 
     private bool IsResting => legs.Count == 0 || tick - stillSince >= RestAfter;
 
@@ -55,26 +57,42 @@ internal sealed class WalkRecorder(PlayerSettings settings)
     /// <param name="now">Seconds.</param>
     public void Act(PlayerKeys keys, bool autoRun, double now)
     {
-        Leg acting = Acting;
-        if (keys == acting.Keys && autoRun == acting.AutoRun) return;
+        (PlayerKeys before, bool ranBefore) = legs.Count == 0 ? default : held;
+        held = (keys, autoRun);
+        if (keys == before && autoRun == ranBefore) return;
         bool rests = keys == PlayerKeys.None && !autoRun;
         if (IsResting)
         {
             if (rests) return;
             Begin();
         }
-        else if (legs.Count >= MostLegs || now - legs[0].From > Longest)
+        else if (isFull || legs.Count >= MostLegs)
         {
-            missing.Add($"what came after {MostLegs} changes of keys or an hour");
+            Fill();
             return;
         }
 
-        bool jumps = ((keys ^ Acting.Keys) & PlayerKeys.Jump) != 0;
-        double from = Math.Max(jumps ? now : tick, legs.Count == 0 ? tick : Acting.From);
+        bool jumps = ((keys ^ before) & PlayerKeys.Jump) != 0;
+        double from = Math.Max(jumps ? now : tick, legs.Count == 0 ? tick : legs[^1].From);
         if (legs.Count == 0 && from > tick) legs.Add(new Leg(PlayerKeys.None, false, tick));
         legs.Add(new Leg(keys, autoRun, from));
         endedAt = from;
         stillSince = double.PositiveInfinity;
+    }
+
+    /// <summary>The mouse button that steers is held from now on, or no longer; what it leads to is no matter of keys.</summary>
+    public void Steer(bool isHeld)
+    {
+        steers = isHeld;
+        if (!isHeld) return;
+        if (IsResting)
+        {
+            Begin();
+            legs.Add(new Leg(PlayerKeys.None, false, tick));
+            stillSince = double.PositiveInfinity;
+        }
+
+        missing.Add(WhatTheMouseDid);
     }
 
     /// <summary>Something was done that no script of keys can say.</summary>
@@ -108,20 +126,33 @@ internal sealed class WalkRecorder(PlayerSettings settings)
     {
         here = position;
         tick = now;
-        bool still = Acting is { Keys: PlayerKeys.None, AutoRun: false } && pose.Speed < 0.01 && pose.TurnSpeed == 0 &&
+        bool still = held is { Keys: PlayerKeys.None, AutoRun: false } && !steers && pose.Speed < 0.01 && pose.TurnSpeed == 0 &&
             (pose.Flags & PoseFlags.Contact) != 0 && Math.Abs(pose.Velocity.Z) < 0.01;
         if (!still) stillSince = double.PositiveInfinity;
         else if (double.IsPositiveInfinity(stillSince)) stillSince = now;
-        if (legs.Count > 0 && (!still || now - stillSince < Settle)) endedAt = now;
+        if (legs.Count > 0 && (!still || now - stillSince < Settle))
+        {
+            if (now - legs[0].From > Longest) Fill();
+            if (!isFull) endedAt = now;
+        }
+
         foreach (Touch touch in touches)
             if (touch.Kind is TouchKind.Body or TouchKind.Player) Miss("who was in the way");
+    }
+
+    private void Fill()
+    {
+        isFull = true;
+        missing.Add($"what came after {MostLegs} changes of keys or an hour");
     }
 
     private void Begin()
     {
         legs.Clear();
         missing.Clear();
+        isFull = false;
         if (double.IsPositiveInfinity(stillSince)) missing.Add("what moved the player before");
+        if (steers) missing.Add(WhatTheMouseDid);
         start = here;
         settings = current;
         endedAt = tick;

@@ -214,7 +214,12 @@ public sealed class PlaceQueryTests
         Assert.ThrowsAny<ArgumentException>(() => query.Sweep(new SweepInput(Ask.Walker, nowhere, here)));
         Assert.ThrowsAny<ArgumentException>(() => query.Sweep(new SweepInput(Ask.Walker, here, nowhere)));
         if (id != 0)
+        {
+            BodySeat seat = body.CurrentSeat with { Position = here, ContactPlane = ground.Plane, ContactPlaneCellId = id };
             Assert.ThrowsAny<ArgumentException>(() => query.Sweep(new SweepInput(Ask.Walker, here, here) { Contact = ground }));
+            Assert.ThrowsAny<ArgumentException>(() => engine.CreateQuery().Sweep(body, seat, here));
+        }
+
         Assert.ThrowsAny<ArgumentException>(() => engine.CreateQuery().Sweep(body, nowhere));
         Assert.ThrowsAny<ArgumentException>(() => engine.CreateQuery().Sweep(body, body.CurrentSeat with { Position = nowhere }, here));
         Assert.ThrowsAny<ArgumentException>(() => query.Place(new PlaceInput(Ask.Walker, nowhere)));

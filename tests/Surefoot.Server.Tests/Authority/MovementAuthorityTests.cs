@@ -72,11 +72,11 @@ public sealed class MovementAuthorityTests(DemoGround ground) : IClassFixture<De
             here with { Origin = new Vector3(float.NaN, 1, 1) }, here with { Origin = new Vector3(1e30f, 1, 1) },
             here with { Orientation = default }, here with { Cell = 0 }, here with { Cell = 0xFFFF0001 },
         ])
-            Assert.Equal((ClaimOutcome.Refused, ClaimReason.NotFinite), Of(f.Authority.Judge(f.Here with { Position = bad }, f.Now)));
+            Assert.Equal((ClaimOutcome.Refused, ClaimReason.BadNumber), Of(f.Authority.Judge(f.Here with { Position = bad }, f.Now)));
         WireRawMotion fast = new(forwardCommand: (uint)MotionCommand.WalkForward, forwardSpeed: 5);
-        Assert.Equal((ClaimOutcome.Refused, ClaimReason.NotFinite), Of(f.Authority.Judge(f.LastMove with { Motion = fast }, f.Now)));
+        Assert.Equal((ClaimOutcome.Refused, ClaimReason.BadNumber), Of(f.Authority.Judge(f.LastMove with { Motion = fast }, f.Now)));
         Jump jump = new(float.NaN, new Vector3(0, 0, 5), here, f.Here.Stamps);
-        Assert.Equal((ClaimOutcome.Refused, ClaimReason.NotFinite), Of(f.Authority.Judge(jump, f.Now)));
+        Assert.Equal((ClaimOutcome.Refused, ClaimReason.BadNumber), Of(f.Authority.Judge(jump, f.Now)));
         Assert.Equal(7, f.Authority.RefusedCount);
         Assert.Throws<ArgumentException>(() => f.Authority.Judge(f.Here, double.NaN));
     }

@@ -29,6 +29,9 @@ public sealed class MutatedInputTests : IDisposable
     [InlineData("demo write")]
     [InlineData("demo map")]
     [InlineData("demo places")]
+    [InlineData("demo arrows")]
+    [InlineData("network")]
+    [InlineData("authority")]
     [InlineData("conform")]
     public async Task Damaged_files_and_wrong_words_end_in_a_sentence(string command)
     {
@@ -111,7 +114,7 @@ internal sealed class Mutations
         "walk" =>
             [
                 "--script", random.Next(2) == 0 ? "W 0.2" : "W+Space 0.1; Wait 0.1", "--at", Place(random), "--dats", world, "--run",
-                $"{random.Next(900)}"],
+                $"{random.Next(900)}", .. random.Next(3) == 0 ? ["--csv", "--quantum", $"{random.Next(200)}"] : Array.Empty<string>()],
         "play" => ["--dats", world],
         "dats list" => random.Next(2) == 0 ? [world] : [world, "--type", "Setup"],
         "dats show" => [world, $"{(uint)random.NextInt64(uint.MaxValue):X8}"],
@@ -119,6 +122,10 @@ internal sealed class Mutations
         "demo write" => [Path.Combine(folder.FullName, "out"), "--seed", $"{random.Next(3)}"],
         "demo map" => [Path.Combine(folder.FullName, "map.svg")],
         "demo places" => ["--json"],
+        "demo arrows" => ["--seconds", "0.1"],
+        "network" => ["--minutes", "0.1", "--seed", $"{random.Next(3)}", "--loss", $"{random.Next(101)}", "--delay", $"{random.Next(999)}"],
+        // A good line takes seconds, for all cheats are tried: AuthorityTests runs one.
+        "authority" => ["--hours", random.Next(2) == 0 ? "0" : "1e9", "--seed", $"{random.Next(3)}"],
         _ => Recording(random),
     };
 

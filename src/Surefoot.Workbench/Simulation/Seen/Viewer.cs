@@ -62,9 +62,6 @@ internal sealed class Viewer : IRemoteObserver
         set => session.Quality = quality = value;
     }
 
-    /// <summary>Messages that did nothing.</summary>
-    public RemoteDrops Drops => others.Drops;
-
     /// <summary>The server says something to this page.</summary>
     public void Tell<T>(in T message)
         where T : IMessage<T> => session.SendToClient(message);
