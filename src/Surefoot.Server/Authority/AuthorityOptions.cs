@@ -2,8 +2,10 @@ using Surefoot.Physics.Motion;
 
 namespace Surefoot.Server;
 
-/// <summary>Thresholds of a <see cref="MovementAuthority"/>. The defaults let every honest client through that is 200 ± 100 ms away and
-/// loses one message in twenty; see <c>docs/authority.md</c>.</summary>
+/// <summary>
+/// Thresholds of a <see cref="MovementAuthority"/>. The defaults are for clients that are 200 ± 100 ms away and lose one message in twenty;
+/// how often an honest one is not believed with them is measured in <c>docs/authority.md</c>.
+/// </summary>
 public sealed record AuthorityOptions
 {
     /// <summary>

@@ -77,6 +77,35 @@ public sealed class RoundObstacleTests
         Assert.True(landed > 50 && lifted > 50, $"{landed} landed, {lifted} lifted");
     }
 
+    /// <summary>The top is at 1.05 m, so that a foot rests with its centre at 1.53 m.</summary>
+    [Fact, Behaviour("obstacle.cylinder.rests-on-top", "spec/04, 4.9, rows 2 and 4: pulled back onto the top, lifted onto it")]
+    public void Who_lands_on_a_cylinder_or_is_lifted_onto_it_stands_on_its_top_and_keeps_the_rest_of_its_way()
+    {
+        Random random = new(3);
+        int landed = 0, lifted = 0;
+        for (int i = 0; i < 2000; i++)
+        {
+            Vector3 check = Point(random, 0.5f) + new Vector3(0, 0, 1.2f), curr = check + Point(random, 0.3f) + new Vector3(0, 0, 0.4f);
+            (TransitionState answer, Mover mover) = Ask("lands", false, curr, check, v => v);
+            if (answer == TransitionState.Adjusted)
+            {
+                landed++;
+                Assert.Equal(1.53f, mover.At.Z, 1e-4f);
+                float share = mover.Moved.Length() / (check - curr).Length();
+                Same(check + ((curr - check) * share), mover.At);
+                Assert.Equal(0.5f * (1 - share), mover.Path.WalkInterp, 1e-4f);
+            }
+
+            (answer, mover) = Ask("probes", false, check, check, v => v);
+            if (answer != TransitionState.Adjusted) continue;
+            lifted++;
+            Same(check with { Z = 1.53f }, mover.At);
+            Assert.Equal(0.5f * (1 - (mover.Moved.Z / 0.3f)), mover.Path.WalkInterp, 1e-4f);
+        }
+
+        Assert.True(landed > 50 && lifted > 50, $"{landed} landed, {lifted} lifted");
+    }
+
     private static (TransitionState Answer, Mover Mover) Ask(
         string way, bool ball, Vector3 curr, Vector3 check, Func<Vector3, Vector3> place)
     {
