@@ -42,7 +42,10 @@ public class MissileProperties
                 Frame wall = new(Middle, Quaternion.CreateFromAxisAngle(shot.Axis, shot.Angle));
                 range.Build(Middle, shot.Half, wall.Rotation);
                 Vector3 target = wall.LocalToGlobal(shot.Aim * shot.Half);
-                range.Shoot(target - (shot.Direction * shot.Distance), shot.Direction * PhysicsBody.MaxVelocity, shot.Falls ? Arrow : Bolt);
+                Vector3 start = target - (shot.Direction * shot.Distance);
+                // A shot at the far side of a wall that is longer than its way would begin in the wall.
+                if (DistanceTo(wall, shot.Half, start) < 2 * Radius) return;
+                range.Shoot(start, shot.Direction * PhysicsBody.MaxVelocity, shot.Falls ? Arrow : Bolt);
                 for (double time = 0; time < 0.6; time += shot.Quantum)
                 {
                     Vector3 before = range.At;
