@@ -4,6 +4,7 @@ using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.World;
 using Surefoot.Protocol.Messages;
+using Surefoot.Workbench.Simulation;
 
 namespace Surefoot.Tool.Walking;
 
@@ -15,9 +16,6 @@ internal sealed class WalkRunner : IMovementObserver
 
     /// <summary>Seconds given to the body to stand before the script begins.</summary>
     private const double SettleTime = 0.5;
-
-    /// <summary>Units of the page's time in a second.</summary>
-    private const int PageUnits = 512;
 
     /// <summary>Moments nearer to each other than this are one, seconds.</summary>
     private const double Rounding = 1e-9;
@@ -98,8 +96,8 @@ internal sealed class WalkRunner : IMovementObserver
     /// The page's times count in 1/512 s and are written with three digits: with quanta that do as well, the moment meant is the nearest.
     /// </summary>
     private static double OnGrid(double seconds, double quantum) =>
-        double.IsInteger(quantum * PageUnits)
-            ? Math.Round(seconds * PageUnits) / PageUnits
+        double.IsInteger(quantum * WorldTime.UnitsPerSecond)
+            ? Math.Round(seconds * WorldTime.UnitsPerSecond) / WorldTime.UnitsPerSecond
             : seconds;
 
     private void Press(Player player, WalkLeg leg, double now)

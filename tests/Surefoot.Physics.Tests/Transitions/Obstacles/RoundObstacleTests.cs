@@ -39,7 +39,7 @@ public sealed class RoundObstacleTests
             Assert.Equal(mover.Collision.CollisionNormalValid, far.Collision.CollisionNormalValid);
             Same(Turn(mover.Collision.CollisionNormal), other.Collision.CollisionNormal);
             Same(mover.Collision.CollisionNormal, far.Collision.CollisionNormal);
-            Assert.Equal((mover.Collision.ContactPlaneValid, true), (far.Collision.ContactPlaneValid, true));
+            Assert.Equal(mover.Collision.ContactPlaneValid, far.Collision.ContactPlaneValid);
             Same(Turn(mover.Collision.ContactPlane.Normal), other.Collision.ContactPlane.Normal);
             Same(mover.Collision.ContactPlane.Normal, far.Collision.ContactPlane.Normal);
         }
