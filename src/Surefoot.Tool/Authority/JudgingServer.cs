@@ -1,8 +1,8 @@
-using Surefoot.Protocol.Session;
 using Surefoot.Physics;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.World;
 using Surefoot.Protocol.Messages;
+using Surefoot.Protocol.Session;
 using Surefoot.Server;
 
 namespace Surefoot.Tool.Authority;
