@@ -17,7 +17,11 @@ public sealed class LocalPlayer
     /// <summary>How long a killer counts as fighting after an attack on a player, seconds (specification 01, 4.1).</summary>
     private const double FightLasts = 20;
 
+    private readonly PlayerObject player;
+    private readonly MovementSender sender;
     private readonly PlayerMessages messages;
+    private readonly PlayerPlaces places;
+    private readonly Receiver receiver;
     private int killerStatus;
     private double? attackedPlayerAt;
 
@@ -26,12 +30,15 @@ public sealed class LocalPlayer
         Body = body;
         Server = server;
         Weenie = weenie;
-        Character = new CharacterSheet(options.AttributesRaiseSkills);
+        Character = options.Character ?? new CharacterSheet(body.Id);
         Movement = engine.MovementOf(body)!;
-        PlayerObject player = new(body.Id, options.Stamps);
-        Controller = new PlayerMovementController(body, Movement,
-            new MovementSender(body, Movement, player, server, options.Observer, engine.Now));
-        messages = new PlayerMessages(player, Movement, Controller, Weenie, Character, options.Commands);
+        player = new PlayerObject(body.Id, options.Stamps);
+        sender = new MovementSender(body, Movement, player, server, options.Observer, engine.Now);
+        Controller = new PlayerMovementController(body, Movement, sender);
+        messages = new PlayerMessages(
+            player, Movement, Controller, Weenie, Character, options.Commands, options.AttributesRaiseSkills);
+        places = new PlayerPlaces(body, Movement, player, options.LoadLand);
+        receiver = new Receiver(this);
     }
 
     /// <summary>The body.</summary>
@@ -53,7 +60,16 @@ public sealed class LocalPlayer
     public IServerLink Server { get; }
 
     /// <summary>Messages of the server about the player that could not be read. They changed nothing.</summary>
-    public long UnreadableMessages => messages.UnreadableCount;
+    public long UnreadableMessages => messages.UnreadableCount + places.UnreadableCount;
+
+    /// <summary>
+    /// The player is on its way to another place, or waits to be let into the world: no key acts and no position is told. It ends by
+    /// itself, when the land at the other end is there and the server has been told.
+    /// </summary>
+    public bool IsInPortalSpace => places.IsInPortalSpace;
+
+    /// <summary>It is in portal space only because the land that it is to stand on is not loaded.</summary>
+    internal bool WaitsForLand => places is { IsInPortalSpace: true, HasArrived: true } && !Body.HasCell;
 
     /// <summary>Puts a player into the world. What its server has to say by now of the character is heard first.</summary>
     /// <param name="engine">The world.</param>
@@ -73,26 +89,37 @@ public sealed class LocalPlayer
         ArgumentNullException.ThrowIfNull(setup);
         ArgumentNullException.ThrowIfNull(table);
         ArgumentNullException.ThrowIfNull(server);
-        options ??= new LocalPlayerOptions();
-        PlayerWeenie weenie = new(new CharacterStats(0, 0), options.TopSpeedRule);
-        PhysicsBody body = engine.CreateBody(
-            id, setup, PhysicsState.Default, WeenieTraits.Present | WeenieTraits.Creature | WeenieTraits.Player,
-            motions: new BodyMotions(table, weenie));
-        body.Trace = options.Trace;
+        LocalPlayer player = Make(engine, id, setup, table, server, options ?? new LocalPlayerOptions());
         try
         {
-            LocalPlayer player = new(engine, body, weenie, server, options);
             player.Receive(engine.Now);
-            if (body.EnterWorld(position)) return player;
+            if (player.Body.EnterWorld(position)) return player;
         }
         catch
         {
-            engine.RemoveBody(body);
+            engine.RemoveBody(player.Body);
             throw;
         }
 
-        engine.RemoveBody(body);
+        engine.RemoveBody(player.Body);
         return null;
+    }
+
+    /// <summary>
+    /// Puts a player into the world as its server describes it. It is in portal space, and arrives when the land is there; where there is
+    /// no room for it, or no land ever, it waits for a teleport.
+    /// </summary>
+    /// <remarks>Specification 08, 3.5, steps 5 and 7, and 4.5, step 3.</remarks>
+    internal static LocalPlayer Spawn(
+        PhysicsEngine engine, ObjectDescription description, SetupAsset setup, MotionTableAsset table, IServerLink server,
+        LocalPlayerOptions options)
+    {
+        PhysicsDescription physics = description.Physics;
+        LocalPlayer player = Make(engine, description.Guid, setup, table, server, options with { Stamps = physics.Stamps });
+        player.Body.SetWeenie(WeenieForms.TraitsOf(description.Weenie) | WeenieTraits.Creature | WeenieTraits.Player);
+        if (physics.Scale is { } scale && WireForms.IsScale(scale)) player.Body.SetScale(scale);
+        player.Begin(physics);
+        return player;
     }
 
     /// <summary>A frame: what the server says arrives, then the keys act. To be called before <see cref="PhysicsEngine.Tick"/>.</summary>
@@ -103,7 +130,58 @@ public sealed class LocalPlayer
     {
         PlayerMovementController.ThrowIfNotFinite(now);
         Receive(now);
-        Controller.Update(keys, now);
+        Act(keys, now);
+    }
+
+    /// <summary>What the server says arrives by <see cref="Hear"/>; then the keys act.</summary>
+    internal void Act(MovementKeys keys, double now)
+    {
+        NoteStatus(now);
+        if (places.OwesMotion)
+        {
+            places.NoteMotion();
+            Controller.OnTeleported(now);
+        }
+
+        if (places.OwesPosition)
+        {
+            places.NotePosition();
+            sender.SendCorrectedPosition(now);
+        }
+
+        if (places is { IsInPortalSpace: true, HasArrived: true } && Body.HasCell)
+        {
+            Server.Send(new LoginComplete(), now);
+            places.LeavePortalSpace();
+        }
+
+        if (!places.IsInPortalSpace) Controller.Update(keys, now);
+    }
+
+    /// <summary>A message of the server; those that are not about the player or its character are not looked at.</summary>
+    internal void Hear(in WireMessage message)
+    {
+        messages.OnMessage(message);
+        places.OnMessage(message);
+    }
+
+    /// <summary>The server describes the player's object once more.</summary>
+    /// <param name="description">The description.</param>
+    /// <param name="isForced">It is to be taken as that of another life, whatever its stamps say.</param>
+    /// <remarks>Specification 08, 4.5.</remarks>
+    internal void HearDescription(ObjectDescription description, bool isForced)
+    {
+        InstanceAge age = player.AgeOf(description.Physics.Stamps.Instance);
+        if (isForced || age == InstanceAge.Ahead)
+        {
+            Body.TeleportHook();
+            player.TakeStamps(description.Physics.Stamps);
+            Begin(description.Physics);
+        }
+        else if (age == InstanceAge.Current)
+        {
+            places.Refresh(description.Physics);
+        }
     }
 
     /// <summary>Puts the player somewhere else, on the nearest free place. It stands still there, autorun ends, and the server is told what
@@ -143,10 +221,37 @@ public sealed class LocalPlayer
         Weenie.IsPlayerKillerInCombat = fights && (Body.Weenie & (WeenieTraits.PK | WeenieTraits.PKLite)) != 0;
     }
 
-    /// <summary>What the server says acts; whether the character is a killer of players decides by whom its body is stopped.</summary>
+    private static LocalPlayer Make(
+        PhysicsEngine engine, uint id, SetupAsset setup, MotionTableAsset table, IServerLink server, LocalPlayerOptions options)
+    {
+        PlayerWeenie weenie = new(new CharacterStats(0, 0), options.TopSpeedRule);
+        PhysicsBody body = engine.CreateBody(
+            id, setup, PhysicsState.Default, WeenieTraits.Present | WeenieTraits.Creature | WeenieTraits.Player,
+            motions: new BodyMotions(table, weenie));
+        body.Trace = options.Trace;
+        return new LocalPlayer(engine, body, weenie, server, options);
+    }
+
+    /// <summary>A life of the player's object begins, as it is described.</summary>
+    private void Begin(PhysicsDescription physics)
+    {
+        bool autonomous = physics.Autonomous != 0;
+        Body.LastMoveWasAutonomous = autonomous;
+        if (physics.Movement is { } movement) messages.Begin(movement, autonomous);
+        Body.SetState((PhysicsState)physics.State);
+        places.Begin(physics);
+    }
+
+    /// <summary>What the server says acts.</summary>
     private void Receive(double now)
     {
-        Server.Receive(now, messages);
+        Server.Receive(now, receiver);
+        NoteStatus(now);
+    }
+
+    /// <summary>Whether the character is a killer of players decides by whom its body is stopped.</summary>
+    private void NoteStatus(double now)
+    {
         if (Character.PlayerKillerStatus != killerStatus)
         {
             killerStatus = Character.PlayerKillerStatus;
@@ -154,6 +259,11 @@ public sealed class LocalPlayer
         }
 
         NoteFight(now);
+    }
+
+    private sealed class Receiver(LocalPlayer player) : IMessageReceiver
+    {
+        public void OnMessage(in WireMessage message) => player.Hear(message);
     }
 }
 
@@ -174,6 +284,12 @@ public sealed record LocalPlayerOptions
 
     /// <summary>The stamps of the player's object, as CreateObject brought them; at first those of a character's first life.</summary>
     public ObjectStamps Stamps { get; init; } = new(0, 0, 0, 0, 0, 0, 0, 0, Instance: 1);
+
+    /// <summary>What is known of the character already; null for nothing. It is kept current from then on.</summary>
+    public CharacterSheet? Character { get; init; }
+
+    /// <summary>Loads the land around a place before the player is put there; null where somebody else does.</summary>
+    internal Action<Position>? LoadLand { get; init; }
 
     /// <summary>Looks on at what the client sends; null for nobody.</summary>
     public IMovementObserver? Observer { get; init; }

@@ -19,7 +19,7 @@ public class LocalPlayerTests
         CharacterStats stats = new(300, 250, Stamina: 80, Strength: 90, Augmentations: 2, Burden: 5000);
         WalkFixture f = new(stats, latency: 5);
         Assert.Equal(stats, f.Player.Weenie.Stats);
-        Assert.Equal(stats, f.Player.Character.Stats);
+        Assert.Equal(stats, f.Player.Weenie.Stats);
     }
 
     [Fact]
@@ -71,9 +71,10 @@ public class LocalPlayerTests
         Assert.Equal(plain, player.Body.Weenie);
         (int Status, WeenieTraits Trait)[] all =
             [(4, WeenieTraits.PK), (0x40, WeenieTraits.PKLite), (0x20, WeenieTraits.Impenetrable), (2, WeenieTraits.None)];
+        byte sequence = 0;
         foreach ((int status, WeenieTraits trait) in all)
         {
-            server.Say(new PublicUpdatePropertyInt(0, KeyFixture.Id, 134, status));
+            server.Say(new PublicUpdatePropertyInt(sequence++, KeyFixture.Id, 134, status));
             player.Update(MovementKeys.None, engine.Now);
             Assert.Equal(plain | trait, player.Body.Weenie);
         }

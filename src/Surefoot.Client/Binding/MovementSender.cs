@@ -39,7 +39,20 @@ internal sealed class MovementSender(
     /// <remarks>Retail: CommandInterpreter::SendPositionEvent @0x006B4770.</remarks>
     public void SendPositionWhenDue(double now)
     {
-        if (!report.IsDue(body, now)) return;
+        if (report.IsDue(body, now)) SendPosition(now);
+    }
+
+    /// <summary>Where the body is, at once, as a correction asks for; nothing while it is in the air or nowhere.</summary>
+    /// <remarks>Retail: CommandInterpreter::SendPositionEvent @0x006B4770; specification 08, 4.4, step 1.</remarks>
+    public void SendCorrectedPosition(double now)
+    {
+        if (!PositionReport.CanBeTold(body)) return;
+        report.OnPosition(body, now);
+        SendPosition(now);
+    }
+
+    private void SendPosition(double now)
+    {
         AutonomousPosition message = new(WireForms.Of(body.Position), player.Sent, Contact: true);
         server.Send(message, now);
         observer?.OnAutonomousPosition(message, now);

@@ -26,22 +26,25 @@ internal struct PositionReport
     /// <summary>Something else that holds the position was sent.</summary>
     public void OnMoveToState(double now) => lastTime = now;
 
+    /// <summary>The position is sent.</summary>
+    public void OnPosition(IMotionBody body, double now) =>
+        (lastTime, lastPosition, lastPlane) = (now, body.Position, body.ContactPlane);
+
+    /// <summary>It stands on ground, at a place that is one.</summary>
+    public static bool CanBeTold(IMotionBody body) =>
+        body.HasContact && body.OnWalkable && body.Position.CellId != 0 && body.Position.Frame.IsValid;
+
     /// <summary>True when the position is to be sent now; it then counts as sent.</summary>
     public bool IsDue(IMotionBody body, double now)
     {
-        if (!body.HasContact || !body.OnWalkable) return false;
+        if (!CanBeTold(body)) return false;
         Position position = body.Position;
-        if (position.CellId == 0 || !position.Frame.IsValid) return false;
-
         bool changed = position.CellId != lastPosition.CellId ||
                        (now > lastTime + Interval
                            ? !Frame.NearlyEqual(position.Frame, lastPosition.Frame)
                            : PlaneDiffers(body.ContactPlane));
-        if (!changed) return false;
-        lastTime = now;
-        lastPosition = position;
-        lastPlane = body.ContactPlane;
-        return true;
+        if (changed) OnPosition(body, now);
+        return changed;
     }
 
     private readonly bool PlaneDiffers(in Plane plane) =>

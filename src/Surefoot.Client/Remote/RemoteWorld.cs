@@ -96,7 +96,7 @@ public sealed partial class RemoteWorld : IMessageReceiver
         }
     }
 
-    private static bool IsAboutObjects(Opcode opcode) => opcode is Opcode.CreateObject or Opcode.UpdateObject or Opcode.UpdatePosition
+    internal static bool IsAboutObjects(Opcode opcode) => opcode is Opcode.CreateObject or Opcode.UpdateObject or Opcode.UpdatePosition
         or Opcode.PositionAndMovement or Opcode.UpdateMotion or Opcode.VectorUpdate or Opcode.SetState or Opcode.ObjDescEvent
         or Opcode.ParentEvent or Opcode.PickupEvent or Opcode.DeleteObject or Opcode.Sound or Opcode.PlayScriptId or Opcode.PlayScriptType;
 

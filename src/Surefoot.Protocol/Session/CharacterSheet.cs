@@ -5,7 +5,8 @@ namespace Surefoot.Protocol.Session;
 /// <summary>What a server has told of the player's character, kept current from its messages (specification 08, section 7). Updates that
 /// arrive after a newer one of the same kind are dropped by their numbers. Formulas over these numbers need the portal data and are not
 /// here.</summary>
-public sealed class CharacterSheet
+/// <param name="guid">The character's object; 0 where only its description tells it.</param>
+public sealed class CharacterSheet(uint guid = 0)
 {
     /// <summary>Skill of jumping.</summary>
     public const uint JumpSkill = 22;
@@ -23,11 +24,11 @@ public sealed class CharacterSheet
     private readonly Dictionary<(ushort Spell, ushort Layer), Enchantment> enchantments = [];
     private readonly Dictionary<(Opcode Kind, uint Property), byte> sequences = [];
 
-    /// <summary>The character's object; 0 before it is described.</summary>
-    public uint Guid { get; private set; }
+    /// <summary>The character's object; 0 before it is known.</summary>
+    public uint Guid { get; private set; } = guid;
 
     /// <summary>The whole description came: the numbers are complete.</summary>
-    public bool IsDescribed => Guid != 0;
+    public bool IsDescribed { get; private set; }
 
     /// <summary>Total weight carried.</summary>
     public int Burden => Int(BurdenProperty);
@@ -56,13 +57,18 @@ public sealed class CharacterSheet
     /// <summary>Loss after a death; null without one.</summary>
     public Enchantment? Vitae { get; private set; }
 
+    /// <summary>Messages about the character that could not be read. They changed nothing.</summary>
+    public long UnreadableMessages { get; private set; }
+
     /// <summary>A property; 0 when it was not told.</summary>
     public int Int(uint property) => ints.GetValueOrDefault(property);
 
     /// <summary>An attribute without enchantments: 1 strength, 2 endurance, 3 quickness, 4 coordination, 5 focus, 6 self; 0 when it was not
     /// told.</summary>
     public uint Attribute(uint attribute)
-        => attributes.TryGetValue(attribute, out AttributeRecord record) ? record.Ranks + record.Start : 0;
+        => attributes.TryGetValue(attribute, out AttributeRecord record)
+            ? (uint)Math.Min((ulong)record.Ranks + record.Start, uint.MaxValue)
+            : 0;
 
     /// <summary>A skill; empty when it was not told.</summary>
     public SkillRecord Skill(uint skill) => skills.GetValueOrDefault(skill);
@@ -72,17 +78,17 @@ public sealed class CharacterSheet
     public bool Apply(in WireMessage message) => message.Id.Opcode switch
     {
         Opcode.GameEvent => ApplyEvent(message),
-        Opcode.PrivateUpdatePropertyInt => message.TryRead(out PrivateUpdatePropertyInt update)
+        Opcode.PrivateUpdatePropertyInt => IsReadable(message, out PrivateUpdatePropertyInt update)
             && IsNewer(message.Id.Opcode, update.Property, update.Sequence) && Set(ints, update.Property, update.Value),
-        Opcode.PublicUpdatePropertyInt => message.TryRead(out PublicUpdatePropertyInt update) && update.Guid == Guid && IsDescribed
+        Opcode.PublicUpdatePropertyInt => IsReadable(message, out PublicUpdatePropertyInt update) && update.Guid == Guid && Guid != 0
             && IsNewer(message.Id.Opcode, update.Property, update.Sequence) && Set(ints, update.Property, update.Value),
-        Opcode.PrivateUpdateSkill => message.TryRead(out PrivateUpdateSkill update)
+        Opcode.PrivateUpdateSkill => IsReadable(message, out PrivateUpdateSkill update)
             && IsNewer(message.Id.Opcode, update.Skill, update.Sequence) && Set(skills, update.Skill, update.Record),
-        Opcode.PrivateUpdateAttribute => message.TryRead(out PrivateUpdateAttribute update)
+        Opcode.PrivateUpdateAttribute => IsReadable(message, out PrivateUpdateAttribute update)
             && IsNewer(message.Id.Opcode, update.Attribute, update.Sequence) && Set(attributes, update.Attribute, update.Record),
-        Opcode.PrivateUpdateVital => message.TryRead(out PrivateUpdateVital update)
+        Opcode.PrivateUpdateVital => IsReadable(message, out PrivateUpdateVital update)
             && IsNewer(message.Id.Opcode, update.Vital, update.Sequence) && SetVital(update.Vital, update.Record),
-        Opcode.PrivateUpdateAttribute2ndLevel => message.TryRead(out PrivateUpdateAttribute2ndLevel update)
+        Opcode.PrivateUpdateAttribute2ndLevel => IsReadable(message, out PrivateUpdateAttribute2ndLevel update)
             && IsNewer(message.Id.Opcode, update.Vital, update.Sequence) && SetCurrent(update.Vital, update.Current),
         _ => false,
     };
@@ -91,13 +97,13 @@ public sealed class CharacterSheet
     {
         switch (message.Id.Event)
         {
-            case GameEventType.PlayerDescription when message.TryRead(out PlayerDescription description):
+            case GameEventType.PlayerDescription when IsReadable(message, out PlayerDescription description):
                 Describe(message.Guid, description);
                 return true;
-            case GameEventType.UpdateEnchantment when message.TryRead(out UpdateEnchantment update):
+            case GameEventType.UpdateEnchantment when IsReadable(message, out UpdateEnchantment update):
                 enchantments[(update.Enchantment.Spell, update.Enchantment.Layer)] = update.Enchantment;
                 return true;
-            case GameEventType.RemoveEnchantment when message.TryRead(out RemoveEnchantment remove):
+            case GameEventType.RemoveEnchantment when IsReadable(message, out RemoveEnchantment remove):
                 return enchantments.Remove((remove.Spell, remove.Layer));
             case GameEventType.PurgeEnchantments:
                 bool had = enchantments.Count > 0;
@@ -108,9 +114,19 @@ public sealed class CharacterSheet
         }
     }
 
+    private bool IsReadable<T>(in WireMessage message, out T value)
+        where T : IMessage<T>
+    {
+        if (message.TryRead(out value))
+            return true;
+        UnreadableMessages++;
+        return false;
+    }
+
     private void Describe(uint guid, PlayerDescription description)
     {
         Guid = guid;
+        IsDescribed = true;
         sequences.Clear();
         ints.Clear();
         attributes.Clear();

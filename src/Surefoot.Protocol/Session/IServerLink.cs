@@ -16,4 +16,12 @@ public interface IServerLink
     /// <param name="now">The time, seconds.</param>
     /// <param name="receiver">Told each of them.</param>
     void Receive(double now, IMessageReceiver receiver);
+
+    /// <summary>Asks the server to describe an object again, of which messages came but no description. A server that knows of no objects
+    /// has nothing to say to that.</summary>
+    /// <param name="guid">The object.</param>
+    /// <param name="now">The time, seconds.</param>
+    void RequestObject(uint guid, double now)
+    {
+    }
 }

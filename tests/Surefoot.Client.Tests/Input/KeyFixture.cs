@@ -28,8 +28,7 @@ internal sealed class KeyFixture : IMotionBody
         PlayerObject player = new(Id, new LocalPlayerOptions().Stamps);
         Movement = new MovementManager(this, table ?? HumanoidTable.Create(), weenie);
         Controller = new PlayerMovementController(this, Movement, new MovementSender(this, Movement, player, Server, Sent, Now));
-        Messages = new PlayerMessages(player, Movement, Controller, weenie, new CharacterSheet(attributesRaiseSkills: false),
-            CommandTable.Retail);
+        Messages = new PlayerMessages(player, Movement, Controller, weenie, new CharacterSheet(), CommandTable.Retail);
         Press(MovementKeys.None);
     }
 

@@ -1,9 +1,6 @@
 using System.Diagnostics;
 using System.Net;
 using System.Net.Sockets;
-using Surefoot.Protocol.Messages;
-using Surefoot.Protocol.Session;
-using Surefoot.Protocol.Tests.Support;
 
 namespace Surefoot.Protocol.Tests.Peer;
 
@@ -14,6 +11,10 @@ public sealed class AceServer : IAsyncLifetime
     private static readonly string? Folder = Environment.GetEnvironmentVariable("SUREFOOT_ACE");
 
     private int port;
+    private FileStream? inUse;
+
+    /// <summary>The dat files of its world.</summary>
+    public static string Dats => Path.Combine(Folder!, "dats");
 
     /// <summary>Where it listens; skips the test that asks when there is no server.</summary>
     public IPEndPoint Address
@@ -29,22 +30,48 @@ public sealed class AceServer : IAsyncLifetime
     {
         if (string.IsNullOrEmpty(Folder))
             return;
+        while ((inUse = TryTake()) is null)
+            await Task.Delay(500);
         port = FreePort();
-        await RunAsync("start.sh", ("ACE_PORT", port), ("ACE_DB_PORT", FreePort()));
+        await RunAsync("start.sh", ("ACE_PORT", $"{port}"), ("ACE_DB_PORT", $"{FreePort()}"), ("ACE_LOG", "DEBUG"));
+    }
+
+    /// <summary>Lines of its log that have come since a line number, and hold a text.</summary>
+    public static string[] LogLines(string text, int since = 0)
+    {
+        using var log = new StreamReader(
+            new FileStream(Path.Combine(Folder!, "run", "server.log"), FileMode.Open, FileAccess.Read, FileShare.ReadWrite));
+        return [.. log.ReadToEnd().Split('\n').Skip(since).Where(line => line.Contains(text, StringComparison.OrdinalIgnoreCase))];
     }
 
     public async ValueTask DisposeAsync()
     {
-        if (!string.IsNullOrEmpty(Folder))
-            await RunAsync("stop.sh");
+        if (string.IsNullOrEmpty(Folder))
+            return;
+        await RunAsync("stop.sh");
+        if (inUse is not null)
+            await inUse.DisposeAsync();
     }
 
-    private static async Task RunAsync(string script, params (string Name, int Value)[] settings)
+    /// <summary>The folder serves one server: another assembly's tests may have theirs running.</summary>
+    private static FileStream? TryTake()
+    {
+        try
+        {
+            return new FileStream(Path.Combine(Folder!, "tests.lock"), FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.None);
+        }
+        catch (IOException)
+        {
+            return null;
+        }
+    }
+
+    private static async Task RunAsync(string script, params (string Name, string Value)[] settings)
     {
         // What the script starts keeps its output open: none is read.
         var start = new ProcessStartInfo("bash", [Path.Combine(Folder!, script)]) { UseShellExecute = false };
-        foreach ((string name, int value) in settings)
-            start.Environment[name] = value.ToString(System.Globalization.CultureInfo.InvariantCulture);
+        foreach ((string name, string value) in settings)
+            start.Environment[name] = value;
         using Process process = Process.Start(start)!;
         await process.WaitForExitAsync();
         Assert.True(process.ExitCode == 0, $"{script} ended with {process.ExitCode}; see run/server.log in its folder.");
@@ -57,76 +84,4 @@ public sealed class AceServer : IAsyncLifetime
         probe.Bind(new IPEndPoint(IPAddress.Loopback, 0));
         return ((IPEndPoint)probe.LocalEndPoint!).Port & ~1;
     }
-}
-
-/// <summary>One player on an <see cref="AceServer"/>.</summary>
-internal sealed class AcePlayer : IDisposable
-{
-    private const double Frame = 0.015;
-
-    private readonly Stopwatch watch = Stopwatch.StartNew();
-
-    public AcePlayer(AceServer server, string account, string password = "testpass", string version = LoginRequest.LiveVersion)
-        => Session = new WorldSession(
-            server.Address, new ClientSessionOptions { Account = account, Password = password, Version = version });
-
-    public WorldSession Session { get; }
-
-    public ReceivedMessages Received { get; } = new();
-
-    /// <summary>Letters that no account or character has had.</summary>
-    public static string NewName(string start) => start + new string(Random.Shared.GetItems<char>("abcdefghijklmnopqrstuvwxyz", 8));
-
-    /// <summary>Lets real time pass until something holds.</summary>
-    /// <returns>False when it did not within the time.</returns>
-    public bool Until(Func<bool> holds, double seconds = 20)
-    {
-        double end = watch.Elapsed.TotalSeconds + seconds;
-        while (!holds() && watch.Elapsed.TotalSeconds < end)
-        {
-            Session.Update(Received);
-            Thread.Sleep(TimeSpan.FromSeconds(Frame));
-        }
-
-        return holds();
-    }
-
-    public void Reach(SessionState state)
-        => Assert.True(Until(() => Session.State == state), $"{state} wanted, {Session.State} reached: {Session.Failure?.Sentence}");
-
-    /// <summary>Makes a character and enters the world with it.</summary>
-    /// <returns>Where it stands.</returns>
-    public WirePosition Enter(string name)
-    {
-        Reach(SessionState.CharacterSelect);
-        uint[] skills = new uint[CharacterCreate.SkillCount];
-        foreach (int untrained in (int[])[6, 7, 14, 15, 19, 20, 21, 27])
-            skills[untrained] = 1;
-        skills[22] = skills[24] = 2;
-        Session.CreateCharacter(new CharacterCreate
-        {
-            Name = name,
-            Strength = 60,
-            Endurance = 60,
-            Coordination = 60,
-            Quickness = 60,
-            Focus = 45,
-            Self = 45,
-            Skills = ValueList.Create<uint>(skills),
-        });
-        Assert.True(Until(() => Session.Creation is not null), "no answer to the creation");
-        Assert.Equal(1u, Session.Creation!.Value.Result);
-
-        Session.EnterWorld(Session.Creation.Value.Character!.Value.Guid);
-        Reach(SessionState.InWorld);
-        Assert.True(Until(() => Own().Any() && Received.Of<PlayerDescription>().Count > 0), "the character was not described");
-        Session.Send(new LoginComplete());
-        Assert.True(Until(() => Received.Of<SetState>().Any(m => m.Guid == Session.Player && (m.State & 0x4000) == 0)), "still hidden");
-        return Own().First().Position!.Value;
-
-        IEnumerable<PhysicsDescription> Own()
-            => Received.Of<CreateObject>().Where(m => m.Object.Guid == Session.Player).Select(m => m.Object.Physics);
-    }
-
-    public void Dispose() => Session.Dispose();
 }

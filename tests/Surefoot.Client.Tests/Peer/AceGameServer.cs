@@ -1,0 +1,22 @@
+using System.Net;
+using Surefoot.Protocol.Tests.Peer;
+
+namespace Surefoot.Client.Tests.Peer;
+
+/// <summary>A real server of the field.</summary>
+public sealed class AceGameServer : IGameServer, IAsyncLifetime
+{
+    private readonly AceServer server = new();
+
+    public IPEndPoint Address => server.Address;
+
+    public string Dats => AceServer.Dats;
+
+    public string Administrator => "admin";
+
+    public string[] FailedTransitions(int since) => AceServer.LogLines("failed transition")[since..];
+
+    public ValueTask InitializeAsync() => server.InitializeAsync();
+
+    public ValueTask DisposeAsync() => server.DisposeAsync();
+}

@@ -1,0 +1,131 @@
+using System.Diagnostics;
+using Surefoot.Dats;
+using Surefoot.Physics.Assets;
+using Surefoot.Physics.World;
+using Surefoot.Protocol;
+using Surefoot.Protocol.Messages;
+using Surefoot.Protocol.Session;
+using Surefoot.Tool.Walking;
+
+namespace Surefoot.Client.Tests.Peer;
+
+/// <summary>Players on one server, whose frames one thread brings about: 60 a second of real time.</summary>
+internal sealed class Party(IGameServer server) : IDisposable
+{
+    internal const string Password = "testpass";
+    private const double FrameTime = 1.0 / 60;
+
+    private readonly Stopwatch watch = Stopwatch.StartNew();
+    private readonly List<OnlinePlayer> players = [];
+    private DatSet? dats;
+    private PhysicsDataCache? assets;
+
+    internal double Now => watch.Elapsed.TotalSeconds;
+
+    /// <summary>Shapes and records, one set for all players.</summary>
+    internal PhysicsDataCache Assets => assets ??= new PhysicsDataCache(dats ??= DatSet.Open(server.Dats));
+
+    /// <summary>Letters that no account or character has had.</summary>
+    internal static string NewName(string start) => start + new string(Random.Shared.GetItems<char>("abcdefghijklmnopqrstuvwxyz", 8));
+
+    /// <summary>Begins to log in.</summary>
+    internal OnlinePlayer Connect(string account, string password = Password, string version = LoginRequest.LiveVersion)
+    {
+        OnlinePlayer player = new(
+            server, Assets, new ClientSessionOptions { Account = account, Password = password, Version = version });
+        players.Add(player);
+        return player;
+    }
+
+    /// <summary>Logs in, makes a character if the account has none, enters the world and stands there.</summary>
+    internal OnlinePlayer Enter(string? account = null)
+    {
+        OnlinePlayer player = Connect(account ?? NewName("a"));
+        Reach(player, SessionState.CharacterSelect);
+        if (player.Session.Characters!.Value.Characters.Count == 0) Create(player, NewName("N"));
+        Enter(player, player.Session.Characters!.Value.Characters[0].Guid);
+        return player;
+    }
+
+    /// <summary>Makes a character.</summary>
+    /// <returns>What the server answers: 1 when it was made.</returns>
+    internal uint Create(OnlinePlayer player, string name)
+    {
+        uint[] skills = new uint[CharacterCreate.SkillCount];
+        foreach (int untrained in (int[])[6, 7, 14, 15, 19, 20, 21, 27]) skills[untrained] = 1;
+        skills[22] = skills[24] = 2;
+        player.Session.CreateCharacter(new CharacterCreate
+        {
+            Name = name,
+            Strength = 60,
+            Endurance = 60,
+            Coordination = 60,
+            Quickness = 60,
+            Focus = 45,
+            Self = 45,
+            Skills = ValueList.Create<uint>(skills),
+        });
+        Assert.True(Until(() => player.Session.Creation is not null), "no answer to the creation");
+        return player.Session.Creation!.Value.Result;
+    }
+
+    internal void Enter(OnlinePlayer player, uint guid)
+    {
+        player.EnterWorld(guid);
+        Reach(player, SessionState.InWorld);
+        Assert.True(
+            Until(() => player.Game is { IsPlaying: true, Player.Body: { OnWalkable: true } body } && !body.State.Has(PhysicsState.Hidden)),
+            $"not let into the world: {player.Game?.Fault}");
+        Wait(0.5);
+    }
+
+    internal void Reach(OnlinePlayer player, SessionState state) => Assert.True(
+        Until(() => player.Session.State == state), $"{state} wanted, {player.Session.State} reached: {player.Session.Failure?.Sentence}");
+
+    /// <summary>Lets real time pass until something holds.</summary>
+    /// <returns>False when it did not within the time.</returns>
+    internal bool Until(Func<bool> holds, double seconds = 20)
+    {
+        double end = Now + seconds;
+        while (!holds() && Now < end) Frame();
+        return holds();
+    }
+
+    internal void Wait(double seconds) => Until(() => false, seconds);
+
+    /// <summary>Has a player's hands do what a script says; the keys are free afterwards.</summary>
+    internal void Walk(OnlinePlayer player, string script)
+    {
+        double next = Now;
+        foreach (WalkLeg leg in WalkScript.Parse(script))
+        {
+            player.Keys = leg.Keys;
+            next += leg.Seconds;
+            while (Now < next) Frame();
+        }
+
+        player.Keys = MovementKeys.None;
+        Frame();
+    }
+
+    /// <summary>The player stands, and the server has been told where and has answered.</summary>
+    internal void Settle(OnlinePlayer player)
+    {
+        Assert.True(Until(() => player.Player.Body is { OnWalkable: true } body && body.Velocity == default), "never stands");
+        Wait(1.5);
+    }
+
+    public void Dispose()
+    {
+        foreach (OnlinePlayer player in players) player.Dispose();
+        dats?.Dispose();
+    }
+
+    private void Frame()
+    {
+        double now = Now;
+        foreach (OnlinePlayer player in players) player.Update(now);
+        double left = FrameTime - (Now - now);
+        if (left > 0) Thread.Sleep(TimeSpan.FromSeconds(left));
+    }
+}
