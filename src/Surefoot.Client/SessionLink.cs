@@ -3,7 +3,7 @@ using Surefoot.Protocol.Session;
 
 namespace Surefoot.Client;
 
-/// <summary>The way to a server over a <see cref="WorldSession"/>. Messages and changes of its state come on the thread that asks.</summary>
+/// <summary>The way to a server over a <see cref="WorldSession"/>. Messages and changes of state come on the thread that asks.</summary>
 /// <param name="session">The session. It keeps its own time, and belongs to the caller.</param>
 /// <param name="observer">Told everything that comes, after the client; null for nobody.</param>
 public sealed class SessionLink(WorldSession session, ISessionHandler? observer = null) : IServerLink

@@ -10,7 +10,7 @@ namespace Surefoot.Client;
 /// What a server says of where the local player is: its places, teleports and corrections, and its state word. The player's own simulation
 /// is followed otherwise: a place alone ties the body to it by a leash, and its velocity is its own business.
 /// </summary>
-/// <remarks>Retail: SmartBox::HandleReceivedPosition @0x00453FD0, HandlePlayerTeleport; specification 08, 4.3 and 4.4, and 02, 4.17.</remarks>
+/// <remarks>Retail: SmartBox::HandleReceivedPosition @0x00453FD0; specification 08, 4.3 and 4.4, and 02, 4.17.</remarks>
 internal sealed class PlayerPlaces(PhysicsBody body, MovementManager movement, PlayerObject player, Action<Position>? loadLand)
 {
     private bool hasHidden;
