@@ -36,7 +36,7 @@ public sealed class PlayerBroadcast
 
     private const double RepeatInterval = 1.0;
     private const int MostRepeats = 3;
-    private const uint Visible = 0x600408, InPortalSpace = 0x604410;
+    private const uint Visible = 0x600408, InPortalSpace = 0x604410, Entering = 0x404410;
     private const uint Ready = 0x41000003, CreatureType = 0x10, PlayerFlags = 0x1C;
 
     private readonly uint player;
@@ -76,7 +76,14 @@ public sealed class PlayerBroadcast
     public float RunRate { get; private set; }
 
     /// <summary>The player is on its way to another place: its own places are not told.</summary>
-    public bool IsTeleporting => state == InPortalSpace;
+    public bool IsTeleporting => state != Visible;
+
+    /// <summary>The player is hidden at first, and its own places are not told, until <see cref="EndTeleport"/>: its client has yet to load
+    /// the place.</summary>
+    public bool BeginsHidden
+    {
+        init => state = value ? Entering : Visible;
+    }
 
     /// <summary>How much others are told.</summary>
     public BroadcastDetail Detail { get; init; }
@@ -186,6 +193,24 @@ public sealed class PlayerBroadcast
         TellPosition(to, contact: true, now);
         TellState(InPortalSpace);
         TellPosition(to, contact: true, now);
+    }
+
+    /// <summary>The server does not believe where the player says to be, and puts it where it is.</summary>
+    /// <param name="to">Where.</param>
+    /// <param name="contact">It stands there.</param>
+    /// <param name="now">Seconds.</param>
+    public void Force(in WirePosition to, bool contact, double now)
+    {
+        Stamps = Stamps with { ForcePosition = Next(Stamps.ForcePosition) };
+        TellPosition(to, contact, now);
+    }
+
+    /// <summary>The server takes the control and moves the player.</summary>
+    /// <param name="movement">What the player does from now on.</param>
+    public void Order(in MovementData movement)
+    {
+        Stamps = Stamps with { ServerControlledMove = Next(Stamps.ServerControlledMove) };
+        TellMotion(seen = movement, autonomous: false);
     }
 
     /// <summary>The player's client is there: it is seen, and its places are told again.</summary>

@@ -2,6 +2,7 @@ using System.Numerics;
 using System.Text.Json;
 using CsCheck;
 using Surefoot.Protocol.Session;
+using Surefoot.Server;
 using Surefoot.Workbench.Simulation;
 using Surefoot.Workbench.Wire;
 

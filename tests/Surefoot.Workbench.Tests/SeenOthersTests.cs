@@ -3,6 +3,7 @@ using Surefoot.Dats;
 using Surefoot.DemoWorld;
 using Surefoot.Physics.World;
 using Surefoot.Protocol.Session;
+using Surefoot.Server;
 using Surefoot.Workbench.Simulation;
 using Surefoot.Workbench.Wire;
 

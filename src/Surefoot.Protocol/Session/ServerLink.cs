@@ -39,7 +39,7 @@ public sealed class ServerLink
     private const double VerifyTimeout = 15, Timeout = 60;
     private const int Window = 256, MostKeptPackets = 4096;
     private const uint Blob = 0x80000000;
-    private const ushort Iteration = 1;
+    private const ushort Iteration = 1, DefaultServerId = 0x000B;
 
     private readonly ServerLinkOptions options;
     private readonly PacketChannel channel;
@@ -89,6 +89,23 @@ public sealed class ServerLink
         return datagram.Has(PacketFlags.LoginRequest) && !datagram.Header.IsEncrypted && datagram.IsIntact
             ? LoginRequest.TryRead(datagram.Handshake)
             : null;
+    }
+
+    /// <summary>Writes the packet that refuses a client of another version. It belongs to no session: its number is 0, and its checksum is
+    /// made with a word that nobody knows (specification 08, 3.2).</summary>
+    /// <param name="boot">What it is told.</param>
+    /// <param name="now">The server's clock, seconds.</param>
+    /// <param name="word">Any number.</param>
+    /// <returns>The datagram; empty when the text is too long for one.</returns>
+    public static byte[] WriteRefusalOfVersion(in AccountBoot boot, double now, uint word)
+    {
+        Span<byte> bytes = stackalloc byte[FragmentHeader.MostData];
+        if (!WireMessage.TryWrite(boot, bytes, out int length))
+            return [];
+        var packet = new PacketBuilder();
+        packet.Add(
+            new FragmentHeader(0, Blob, 1, (ushort)(FragmentHeader.Length + length), 0, MessageGroup.Interface), bytes[..length]);
+        return packet.Seal(0, DefaultServerId, TimeOf(now), Iteration, word).ToArray();
     }
 
     /// <summary>The client's login request came again, so that the connect request may have been lost: sends it again, unless the client
@@ -222,6 +239,10 @@ public sealed class ServerLink
             return ReceiveCleartext(datagram, now);
 
         DropReason reason = channel.Incoming.Accept(datagram, out _);
+
+        // So many are missing that they cannot be asked for: the session would wait for them for ever.
+        if (reason is DropReason.TooFarAhead or DropReason.TooManyMissing && channel.Incoming.IsMadeWithDueWord(datagram))
+            Terminate(now);
         if (reason != DropReason.None)
             return reason;
         lastReceived = now;

@@ -1,5 +1,6 @@
 using System.Numerics;
 using Surefoot.Protocol.Session;
+using Surefoot.Server;
 using Surefoot.Workbench.Wire;
 
 namespace Surefoot.Workbench.Simulation;

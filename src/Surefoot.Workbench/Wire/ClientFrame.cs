@@ -1,6 +1,7 @@
 using System.Buffers.Binary;
 using System.Numerics;
 using Surefoot.Protocol.Session;
+using Surefoot.Server;
 using Surefoot.Workbench.Simulation;
 
 namespace Surefoot.Workbench.Wire;

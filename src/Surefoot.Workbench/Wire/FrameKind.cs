@@ -1,3 +1,4 @@
+using Surefoot.Server;
 using Surefoot.Workbench.Simulation;
 
 namespace Surefoot.Workbench.Wire;

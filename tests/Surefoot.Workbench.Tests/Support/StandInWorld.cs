@@ -1,6 +1,7 @@
 using System.Collections.Concurrent;
 using System.Numerics;
 using Surefoot.Protocol.Session;
+using Surefoot.Server;
 using Surefoot.Workbench.Simulation;
 using Surefoot.Workbench.Wire;
 

@@ -12,6 +12,9 @@ internal sealed class ReceiveWindow
     // How far ahead a word is looked for when the one that is due does not fit (specification 08, 10).
     private const int SearchedAhead = 256;
 
+    // Words are kept that were looked at: a stranger's numbers must not make them many.
+    private const uint FarthestChecked = 4096;
+
     private readonly KeyWindow keys;
     private readonly uint farthest;
     private readonly int mostMissing;
@@ -68,6 +71,15 @@ internal sealed class ReceiveWindow
         if (number == 0)
             return DropReason.Unexpected;
         return isNew ? AcceptNew(number, datagram.Key, out keyIndex) : AcceptMissing(number, datagram.Key, out keyIndex);
+    }
+
+    /// <summary>A packet that is too new to be accepted is the other side's all the same: its checksum is made with the word that is due for
+    /// its number.</summary>
+    public bool IsMadeWithDueWord(in Datagram datagram)
+    {
+        uint number = datagram.Header.Sequence;
+        return datagram.Header.IsEncrypted && IsNewer(Newest, number) && Distance(Newest, number) <= FarthestChecked
+            && keys.Peek((int)Distance(Newest, number) - 1) == datagram.Key;
     }
 
     /// <summary>The sender no longer has these packets: they are not waited for any more.</summary>

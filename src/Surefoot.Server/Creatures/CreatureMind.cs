@@ -1,10 +1,9 @@
 using Surefoot.Physics.World;
-using Surefoot.Server;
 
-namespace Surefoot.Workbench.Simulation;
+namespace Surefoot.Server;
 
 /// <summary>What a person wants a creature to do.</summary>
-internal enum CreatureWish : byte
+public enum CreatureWish : byte
 {
     /// <summary>What it likes.</summary>
     AsItLikes = 0,
@@ -28,7 +27,7 @@ internal enum CreatureWish : byte
 /// <param name="radius">How far it strays, metres; 0 for one that stays at home.</param>
 /// <param name="onGround">Puts a place on the ground; null where there is none.</param>
 /// <param name="seed">Of its ways.</param>
-internal sealed class CreatureMind(
+public sealed class CreatureMind(
     CreatureDriver driver, Position home, float radius, Func<Position, Position?> onGround, ulong seed)
 {
     private const double LeastPause = 1, LongestPause = 5;
@@ -40,6 +39,9 @@ internal sealed class CreatureMind(
     private bool isUnderWay;
     private ulong rolls = seed;
     private double until = double.NaN;
+
+    /// <summary>What it does at a person's wish; what it likes when that came to nothing.</summary>
+    public CreatureWish Wish => wish;
 
     /// <summary>It is to do something else from now on.</summary>
     /// <param name="wanted">What.</param>
