@@ -24,6 +24,8 @@ internal static class ServeCommand
                 Port = parsed.GetValue(port),
                 Start = world.Start,
                 Spawns = world.Spawns,
+                RunSkill = 200,
+                JumpSkill = 200,
                 Log = CommonOptions.Say,
             });
             Console.Out.WriteLine($"world is open on {server.EndPoint} and {server.EndPoint.Port + 1}  (Ctrl+C ends it)");
