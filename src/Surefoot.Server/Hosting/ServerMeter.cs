@@ -50,6 +50,7 @@ internal sealed class ServerMeter : IDisposable
     private void CountEach<T>(string name, Func<T, long> value, string description)
         where T : struct, Enum => meter.CreateObservableCounter(
             $"surefoot.server.{name}",
-            () => Enum.GetValues<T>().Select(one => new Measurement<long>(value(one), new KeyValuePair<string, object?>("reason", $"{one}"))),
+            () => Enum.GetValues<T>().Select(
+                one => new Measurement<long>(value(one), new KeyValuePair<string, object?>("reason", one.ToString()))),
             description: description);
 }

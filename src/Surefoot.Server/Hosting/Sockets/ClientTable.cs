@@ -230,7 +230,8 @@ internal sealed class ClientTable : IDisposable
         return true;
     }
 
-    private static ServerLinkOptions NumbersOf(int slot) => new((ushort)slot, ((ulong)Random32() << 32) | Random32(), Random32(), Random32());
+    private static ServerLinkOptions NumbersOf(int slot) =>
+        new((ushort)slot, ((ulong)Random32() << 32) | Random32(), Random32(), Random32());
 
     private static uint Random32()
     {
