@@ -73,8 +73,8 @@ internal sealed class ReceiveWindow
         return isNew ? AcceptNew(number, datagram.Key, out keyIndex) : AcceptMissing(number, datagram.Key, out keyIndex);
     }
 
-    /// <summary>A packet that is too new to be accepted is the other side's all the same: its checksum is made with the word that is due for
-    /// its number.</summary>
+    /// <summary>A packet that is too new to be accepted is the other side's all the same: its checksum is made with the word that is due
+    /// for its number.</summary>
     public bool IsMadeWithDueWord(in Datagram datagram)
     {
         uint number = datagram.Header.Sequence;
