@@ -310,7 +310,9 @@ public sealed class ClientSession
             ? new SessionFailure(SessionFailureKind.LoginRefused, $"The server refused the login{because}")
             : new SessionFailure(SessionFailureKind.Booted, $"The server threw the account out{because}");
 
-        static string Because(string? reason) => string.IsNullOrWhiteSpace(reason) ? "." : $": {reason.Trim().TrimEnd('.')}.";
+        // The server's first sentence is the reason; what follows is advice.
+        static string Because(string? reason)
+            => string.IsNullOrWhiteSpace(reason) ? "." : $": {reason.Trim().Split(". ")[0].TrimEnd('.')}.";
     }
 
     /// <summary>Hands messages to the session first and to its user then.</summary>

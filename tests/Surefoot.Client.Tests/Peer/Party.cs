@@ -1,5 +1,8 @@
 using System.Diagnostics;
+using System.Globalization;
+using System.Numerics;
 using Surefoot.Dats;
+using Surefoot.DemoWorld;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.World;
 using Surefoot.Protocol;
@@ -47,6 +50,49 @@ internal sealed class Party(IGameServer server) : IDisposable
         return player;
     }
 
+    /// <summary>Enters the world on the server's own account, which somebody may have left a moment ago.</summary>
+    internal OnlinePlayer EnterAsAdministrator()
+    {
+        for (int i = 0; i < 5; i++)
+        {
+            OnlinePlayer player = Connect(server.Administrator);
+            bool isIn = Until(() => player.Session.State is SessionState.CharacterSelect or SessionState.Failed)
+                && player.Session.State == SessionState.CharacterSelect;
+            if (isIn && player.Session.Characters!.Value.Characters.Count == 0) Create(player, NewName("N"));
+            if (isIn && TryEnter(player, player.Session.Characters!.Value.Characters[0].Guid)) return player;
+            Leave(player);
+            Thread.Sleep(4500);
+        }
+
+        throw new InvalidOperationException("The administrator's account stays in use.");
+    }
+
+    private bool TryEnter(OnlinePlayer player, uint guid)
+    {
+        player.EnterWorld(guid);
+        Until(() => player.Session.State != SessionState.Entering);
+        if (player.Session.State != SessionState.InWorld) return false;
+        AwaitArrival(player);
+        return true;
+    }
+
+    /// <summary>Goes where a command takes it, and stands there.</summary>
+    internal void Teleport(OnlinePlayer player, string place)
+    {
+        Assert.True(DemoPlaces.TryFind(place, out NamedPlace named));
+        Teleport(player, named.CellId, named.Origin, named.Orientation);
+    }
+
+    /// <inheritdoc cref="Teleport(OnlinePlayer, string)"/>
+    internal void Teleport(OnlinePlayer player, uint cell, Vector3 origin, Quaternion facing)
+    {
+        int before = player.Heard<PlayerTeleport>().Count();
+        player.Session.Send(new Talk(string.Create(CultureInfo.InvariantCulture,
+            $"@teleloc 0x{cell:X8} {origin.X} {origin.Y} {origin.Z} {facing.W} {facing.X} {facing.Y} {facing.Z}")));
+        Assert.True(Until(() => player.Heard<PlayerTeleport>().Count() > before), "no teleport came");
+        AwaitArrival(player);
+    }
+
     /// <summary>Makes a character.</summary>
     /// <returns>What the server answers: 1 when it was made.</returns>
     internal uint Create(OnlinePlayer player, string name)
@@ -73,6 +119,11 @@ internal sealed class Party(IGameServer server) : IDisposable
     {
         player.EnterWorld(guid);
         Reach(player, SessionState.InWorld);
+        AwaitArrival(player);
+    }
+
+    private void AwaitArrival(OnlinePlayer player)
+    {
         Assert.True(
             Until(() => player.Game is { IsPlaying: true, Player.Body: { OnWalkable: true } body } && !body.State.Has(PhysicsState.Hidden)),
             $"not let into the world: {player.Game?.Fault}");
@@ -113,6 +164,20 @@ internal sealed class Party(IGameServer server) : IDisposable
     {
         Assert.True(Until(() => player.Player.Body is { OnWalkable: true } body && body.Velocity == default), "never stands");
         Wait(1.5);
+    }
+
+    /// <summary>Leaves the world, as one should: the account and the character are free afterwards.</summary>
+    internal void LogOff(OnlinePlayer player)
+    {
+        player.Session.LogOff();
+        Reach(player, SessionState.CharacterSelect);
+    }
+
+    /// <summary>Says goodbye; the account is in use for a while yet.</summary>
+    internal void Leave(OnlinePlayer player)
+    {
+        player.Dispose();
+        players.Remove(player);
     }
 
     public void Dispose()

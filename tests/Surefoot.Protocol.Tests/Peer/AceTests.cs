@@ -60,57 +60,6 @@ public class AceTests(AceServer server) : IClassFixture<AceServer>
         Assert.InRange(player.Session.SilentFor, 0, 3);
     }
 
-    [Fact, Behaviour("protocol.ace.wrong-password", "08, 3.2")]
-    public void A_wrong_password_is_refused_in_one_sentence()
-    {
-        string account = AcePlayer.NewName("pass");
-        using (var first = new AcePlayer(server, account))
-            first.Reach(SessionState.CharacterSelect);
-        Thread.Sleep(4000);
-        using var second = new AcePlayer(server, account, "another");
-        second.Reach(SessionState.Failed);
-        Assert.Equal(SessionFailureKind.LoginRefused, second.Session.Failure?.Kind);
-        Assert.Equal(
-            "The server refused the login: because the password entered for this account was not correct.",
-            second.Session.Failure?.Sentence);
-    }
-
-    [Fact, Behaviour("protocol.ace.wrong-version", "08, 3.2")]
-    public void A_wrong_version_is_refused_in_one_sentence()
-    {
-        using var player = new AcePlayer(server, AcePlayer.NewName("old"), version: "1801");
-        player.Reach(SessionState.Failed);
-        Assert.Equal(SessionFailureKind.VersionRefused, player.Session.Failure?.Kind);
-    }
-
-    [Fact, Behaviour("protocol.ace.account-in-use", "08, 3.6")]
-    public void An_account_in_use_ends_both_sessions_in_one_sentence()
-    {
-        string account = AcePlayer.NewName("twice");
-        using var older = new AcePlayer(server, account);
-        older.Reach(SessionState.CharacterSelect);
-        using var newer = new AcePlayer(server, account);
-        newer.Reach(SessionState.Failed);
-        older.Reach(SessionState.Failed);
-        Assert.Equal(SessionFailureKind.AccountInUse, newer.Session.Failure?.Kind);
-        Assert.Equal(SessionFailureKind.AccountInUse, older.Session.Failure?.Kind);
-    }
-
-    [Fact, Behaviour("protocol.ace.name-taken", "08, 3.4")]
-    public void A_characters_name_that_is_taken_is_refused_and_another_one_accepted()
-    {
-        string name = AcePlayer.NewName("Na");
-        using var first = new AcePlayer(server, AcePlayer.NewName("name"));
-        first.Enter(name);
-        using var second = new AcePlayer(server, AcePlayer.NewName("name"));
-        second.Reach(SessionState.CharacterSelect);
-        second.Session.CreateCharacter(new CharacterCreate { Name = name });
-        Assert.True(second.Until(() => second.Session.Creation is not null));
-        Assert.Equal(3u, second.Session.Creation!.Value.Result);
-        second.Until(() => false, 1);
-        second.Enter(AcePlayer.NewName("Nb"));
-    }
-
     [Fact, Behaviour("protocol.ace.loss", "08, 2.6 and 10")]
     public void At_ten_percent_loss_nothing_is_lost_for_good_in_either_direction()
     {

@@ -1,0 +1,147 @@
+using System.Globalization;
+using System.Numerics;
+using Surefoot.Physics.World;
+using Surefoot.Protocol.Messages;
+using Surefoot.Protocol.Session;
+
+namespace Surefoot.Client.Tests.Peer;
+
+/// <content>Coming and going, refusals, corrections, and what the server thinks of a long walk.</content>
+public abstract partial class ServerSuite
+{
+    /// <summary>Minutes of an honest walk; the environment may ask for more.</summary>
+    private static double Minutes => double.TryParse(
+        Environment.GetEnvironmentVariable("SUREFOOT_ACE_MINUTES"), CultureInfo.InvariantCulture, out double minutes) ? minutes : 1;
+
+    [Fact]
+    [Behaviour("client.server.comes-back", "08, 3.5 and 3.6")]
+    public void A_character_that_logs_off_and_in_again_stands_where_it_stood_in_a_new_life()
+    {
+        using Party party = new(server);
+        OnlinePlayer player = party.Enter();
+        party.Walk(player, "A 0.5; W 1");
+        party.Settle(player);
+        Position left = player.Position;
+        uint guid = player.Id;
+        ushort life = LivesOf(player)[^1];
+
+        party.LogOff(player);
+        Assert.Equal(guid, Assert.Single(player.Session.Characters!.Value.Characters).Guid);
+        party.Enter(player, guid);
+        Assert.InRange(Apart(left, player.Position), 0, Same);
+        Assert.True(ObjectStamps.IsNewer(life, LivesOf(player)[^1]), "the life is not a new one");
+        party.Walk(player, "W 1");
+        party.Settle(player);
+        AssertAgreed(player);
+
+        static ushort[] LivesOf(OnlinePlayer player) => [.. player.Heard<CreateObject>()
+            .Where(m => m.Object.Guid == player.Id).Select(m => m.Object.Physics.Stamps.Instance)];
+    }
+
+    [Fact]
+    [Behaviour("client.server.forced-position", "08, 4.4, step 1 and 5.7 (z correction)")]
+    public void A_correction_puts_the_player_where_the_server_wants_it_and_is_confirmed_at_once()
+    {
+        using Party party = new(server);
+        OnlinePlayer player = party.Enter();
+        party.Walk(player, "W 0.5");
+        party.Settle(player);
+        Position stood = player.Position;
+        MovementStamps stamps = player.Sent.OfType<MoveToState>().Last().Stamps;
+        Assert.Equal(0, stamps.ForcePosition);
+
+        // Up by a jump that the player itself knows nothing of, and then a height that no jump reaches.
+        WirePosition place = new(stood.CellId, stood.Frame.Origin, stood.Frame.Rotation);
+        player.Session.Send(new Jump(1, new Vector3(0, 0, 12), place, stamps));
+        party.Wait(1.3);
+        int sent = player.Sent.Count;
+        player.Session.Send(new AutonomousPosition(place with { Origin = place.Origin + new Vector3(0, 0, 15) }, stamps, Contact: false));
+        Assert.True(
+            party.Until(() => player.Heard<UpdatePosition>().Any(m => m.Guid == player.Id && m.Pack.ForcePosition == 1)), "no correction");
+        party.Settle(player);
+        Assert.InRange(Apart(stood, player.Position), 0, Same);
+        AutonomousPosition confirmed = Assert.IsType<AutonomousPosition>(player.Sent[sent]);
+        Assert.Equal(1, confirmed.Stamps.ForcePosition);
+        AssertAgreed(player);
+    }
+
+    [Fact]
+    [Behaviour("client.server.honest-walk", "08, 5.7: the server's own sweep")]
+    public void In_a_long_honest_walk_the_servers_own_sweep_fails_nowhere()
+    {
+        using Party party = new(server);
+        OnlinePlayer player = party.Enter();
+        int before = server.FailedTransitions(0)?.Length ?? 0;
+        Random hands = new(7);
+        string[] keys = ["W", "W+A", "W+D", "Shift+W", "Q", "E", "S", "A", "D", "Wait"];
+        double end = party.Now + (Minutes * 60);
+        while (party.Now < end)
+        {
+            string key = keys[hands.Next(keys.Length)];
+            party.Walk(player, string.Create(CultureInfo.InvariantCulture, $"{key} {0.2 + (1.8 * hands.NextDouble()):0.00}"));
+            if (hands.Next(6) == 0) party.Walk(player, "W+Space 0.4; W 0.6");
+        }
+
+        party.Settle(player);
+        AssertAgreed(player);
+        Assert.Empty(server.FailedTransitions(before) ?? []);
+        Assert.Equal(0, player.Player.UnreadableMessages);
+        Assert.Equal(SessionState.InWorld, player.Session.State);
+    }
+
+    [Fact]
+    [Behaviour("client.server.wrong-password", "08, 3.2")]
+    public void A_wrong_password_is_refused_in_one_sentence()
+    {
+        using Party party = new(server);
+        string account = Party.NewName("pass");
+        OnlinePlayer first = party.Connect(account);
+        party.Reach(first, SessionState.CharacterSelect);
+        party.Leave(first);
+        party.Wait(4);
+        Assert.Equal(SessionFailureKind.LoginRefused, Refused(party, party.Connect(account, "another")));
+    }
+
+    [Fact]
+    [Behaviour("client.server.wrong-version", "08, 3.2")]
+    public void A_wrong_version_is_refused_in_one_sentence()
+    {
+        using Party party = new(server);
+        Assert.Equal(SessionFailureKind.VersionRefused, Refused(party, party.Connect(Party.NewName("old"), version: "1801")));
+    }
+
+    [Fact]
+    [Behaviour("client.server.account-in-use", "08, 3.6")]
+    public void An_account_in_use_ends_both_sessions_in_one_sentence()
+    {
+        using Party party = new(server);
+        string account = Party.NewName("twice");
+        OnlinePlayer older = party.Connect(account);
+        party.Reach(older, SessionState.CharacterSelect);
+        Assert.Equal(SessionFailureKind.AccountInUse, Refused(party, party.Connect(account)));
+        Assert.Equal(SessionFailureKind.AccountInUse, Refused(party, older));
+    }
+
+    [Fact]
+    [Behaviour("client.server.name-taken", "08, 3.4")]
+    public void A_characters_name_that_is_taken_is_refused_and_another_one_is_accepted()
+    {
+        using Party party = new(server);
+        string name = Party.NewName("N");
+        OnlinePlayer first = party.Connect(Party.NewName("a")), second = party.Connect(Party.NewName("a"));
+        party.Reach(first, SessionState.CharacterSelect);
+        party.Reach(second, SessionState.CharacterSelect);
+        Assert.Equal(1u, party.Create(first, name));
+        Assert.Equal(3u, party.Create(second, name));
+        party.Wait(1);
+        Assert.Equal(1u, party.Create(second, Party.NewName("N")));
+    }
+
+    private static SessionFailureKind Refused(Party party, OnlinePlayer player)
+    {
+        party.Reach(player, SessionState.Failed);
+        Assert.Matches(@"^[A-Z][^.\r\n]*\.$", player.Session.Failure!.Sentence);
+        Assert.DoesNotContain(Party.Password, player.Session.Failure.Sentence, StringComparison.Ordinal);
+        return player.Session.Failure.Kind;
+    }
+}
