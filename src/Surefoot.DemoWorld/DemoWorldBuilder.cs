@@ -20,7 +20,10 @@ public static class DemoWorldBuilder
     /// <summary>The seed of the world that the page, the tool and the tests share.</summary>
     public const uint DefaultSeed = 1999;
 
-    /// <summary>Writes client_portal.dat, client_cell_1.dat and an empty client_local_English.dat.</summary>
+    // Where a new character begins on a server that runs on this world.
+    private const string Beginning = "town";
+
+    /// <summary>Writes client_portal.dat, client_cell_1.dat and a client_local_English.dat without texts.</summary>
     /// <remarks>
     /// The same seed gives the same bytes. Takes about a second. Existing files of these names are replaced, each at once when it is whole:
     /// several writers at a time do not disturb each other, and the last one's files stay.
@@ -38,19 +41,20 @@ public static class DemoWorldBuilder
         progress?.Report(new("planning the world", 0.0));
         var plan = WorldPlan.Create(seed);
         progress?.Report(new("writing the shared records", 0.4));
-        WriteFile(Path.Combine(directory, DatSet.PortalName), DatFileKind.Portal, PortalRecords());
+        WriteFile(Path.Combine(directory, DatSet.PortalName), DatFileKind.Portal, PortalRecords(plan));
         progress?.Report(new("writing the land and its cells", 0.7));
         WriteFile(Path.Combine(directory, DatSet.CellName), DatFileKind.Cell, plan.CellRecords());
-        WriteFile(Path.Combine(directory, DatSet.LocalName), DatFileKind.Local, []);
+        WriteFile(Path.Combine(directory, DatSet.LocalName), DatFileKind.Local, EmptyTables.Local());
         progress?.Report(new("done", 1.0));
     }
 
-    private static IEnumerable<DatRecord> PortalRecords() =>
+    private static IEnumerable<DatRecord> PortalRecords(WorldPlan plan) =>
     [
         RegionRecords.Region(), .. Surfaces.All(), .. HumanBody.All(), .. HumanMotions.All(), .. Hound.All(), .. Behemoth.All(),
         .. Door.All(), .. Arrow.All(), .. NatureShapes.All(),
         .. ObstacleShapes.All(),
         .. Windmill.All(), House.Shell(), House.Interior.Environment(), Dungeon.Interior.Environment(),
+        .. CharacterTables.All(), .. CharacterCreation.All(plan.Places.Single(place => place.Name == Beginning)), .. EmptyTables.All(),
     ];
 
     private static void WriteFile(string path, DatFileKind kind, IEnumerable<DatRecord> records)

@@ -26,6 +26,9 @@ public static class DatRecords
             DatRecordType.LandBlock => DatRecord.Decode<LandBlock>(id, bytes, file, remarks),
             DatRecordType.LandBlockInfo => DatRecord.Decode<LandBlockInfo>(id, bytes, file, remarks),
             DatRecordType.EnvCell => DatRecord.Decode<EnvCell>(id, bytes, file, remarks),
+            DatRecordType.VitalTable => DatRecord.Decode<VitalTable>(id, bytes, file, remarks),
+            DatRecordType.SkillTable => DatRecord.Decode<SkillTable>(id, bytes, file, remarks),
+            DatRecordType.ExperienceTable => DatRecord.Decode<ExperienceTable>(id, bytes, file, remarks),
             _ => RawRecord.FromBytes(id, type, bytes),
         };
 

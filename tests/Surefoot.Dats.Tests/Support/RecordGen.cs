@@ -48,6 +48,9 @@ internal static class RecordGen
         Scene().AsRecord(),
         RegionGen.Region().AsRecord(),
         Iteration().AsRecord(),
+        TableGen.Vitals().AsRecord(),
+        TableGen.Skills().AsRecord(),
+        TableGen.Experience().AsRecord(),
         Raw().AsRecord());
 
     public static Gen<ImmutableArray<T>> List<T>(this Gen<T> element, int least = 0, int most = Most)
