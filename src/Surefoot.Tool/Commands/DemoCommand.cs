@@ -13,7 +13,7 @@ internal static class DemoCommand
     internal static Command Create() =>
         new("demo", "Makes the demo world.\n\nExample:\n  surefoot demo write ./demo-world")
         {
-            CreateWrite(), CreateMap(), CreatePlaces(), DemoArrowsCommand.Create(Json),
+            CreateWrite(), CreateMap(), CreatePlaces(), CreateRows(), DemoArrowsCommand.Create(Json),
         };
 
     private static Option<uint> SeedOption() =>
@@ -46,6 +46,23 @@ internal static class DemoCommand
             string path = parsed.GetRequiredValue(file).FullName;
             File.WriteAllText(path, DemoMap.ToSvg(parsed.GetRequiredValue(seed)));
             Console.Out.WriteLine($"Map written to {path}");
+            return ExitCode.Done;
+        });
+        return command;
+    }
+
+    private static Command CreateRows()
+    {
+        Argument<FileInfo> file = new("FILE") { Description = "SQL file to write." };
+        Option<uint> seed = SeedOption();
+        Command command = new("rows",
+            "Writes the demo world's inhabitants as rows of an ACE server's world database.\n\nExample:\n  surefoot demo rows demo-world.sql")
+            { file, seed };
+        command.SetAction(parsed =>
+        {
+            string path = parsed.GetRequiredValue(file).FullName;
+            File.WriteAllText(path, DemoServerRows.ToSql(parsed.GetRequiredValue(seed)));
+            Console.Out.WriteLine($"Rows written to {path}\nLoad them: mariadb ace_world < {path}");
             return ExitCode.Done;
         });
         return command;
