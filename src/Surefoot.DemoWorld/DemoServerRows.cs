@@ -56,9 +56,12 @@ public static class DemoServerRows
     {
         Line(sql, $"\n-- Every new character is made of class 1 and wears the other three.");
         Weenie(sql, 1, "human", Creature);
-        Numbers(sql, 1, (ItemType, CreatureItem), (CreatureType, HumanKind), (EncumbranceValue, 0), (ItemsCapacity, 102), (ContainersCapacity, 7),
-            (Mass, 120), (Usable, 1), (Level, 1), (PhysicsState, WalkerState), (Gender, 1), (Showable, 4), (PlayerKillerStatus, 2), (Heritage, 1));
-        Flags(sql, 1, (Stuck, true), (IgnoreCollisions, false), (ReportCollisions, true), (Ethereal, false), (Gravity, true), (Attackable, true));
+        Numbers(sql, 1, (ItemType, CreatureItem), (CreatureType, HumanKind), (EncumbranceValue, 0), (ItemsCapacity, 102),
+            (ContainersCapacity, 7),
+            (Mass, 120), (Usable, 1), (Level, 1), (PhysicsState, WalkerState), (Gender, 1), (Showable, 4), (PlayerKillerStatus, 2),
+                (Heritage, 1));
+        Flags(sql, 1, (Stuck, true), (IgnoreCollisions, false), (ReportCollisions, true), (Ethereal, false), (Gravity, true),
+            (Attackable, true));
         Reals(sql, 1, (UseRadius, 0.25));
         Name(sql, 1, "Human");
         Ids(sql, 1, (Setup, DemoIds.HumanSetup), (MotionTable, DemoIds.HumanMotionTable), (SoundTable, 0x20000001),
@@ -73,7 +76,8 @@ public static class DemoServerRows
     private static void Garment(StringBuilder sql, uint id, string name, int priority, int location)
     {
         Weenie(sql, id, name, Clothing);
-        Numbers(sql, id, (ItemType, ClothingItem), (ClothingPriority, priority), (EncumbranceValue, 100), (ValidLocations, location), (Usable, 1),
+        Numbers(sql, id, (ItemType, ClothingItem), (ClothingPriority, priority), (EncumbranceValue, 100), (ValidLocations, location),
+            (Usable, 1),
             (Value, 5), (PhysicsState, 0x414));
         Name(sql, id, name);
         Ids(sql, id, (Setup, DemoIds.HumanSetup), (Icon, 0x06000001));
@@ -92,7 +96,8 @@ public static class DemoServerRows
         Flags(sql, kind.Id, (Stuck, true), (ReportCollisions, true), (Ethereal, false), (Gravity, !door), (Attackable, false));
         Reals(sql, kind.Id, (ResetInterval, 10), (UseRadius, 2));
         Name(sql, kind.Id, kind.Name);
-        Ids(sql, kind.Id, [(Setup, kind.Setup), (Icon, CreatureIcon), .. kind.MotionTable == 0 ? [] : new[] { (MotionTable, kind.MotionTable) }]);
+        Ids(sql, kind.Id, [(Setup, kind.Setup), (Icon, CreatureIcon), .. kind.MotionTable == 0 ? [] : new[] { (MotionTable,
+            kind.MotionTable) }]);
         if (!door)
             Vitals(sql, kind.Id, 100);
     }
@@ -110,7 +115,8 @@ public static class DemoServerRows
             var (at, turn) = (spawn.Origin, spawn.Orientation);
             Line(sql, $"INSERT INTO `landblock_instance` (`guid`, `weenie_Class_Id`, `obj_Cell_Id`, `origin_X`, `origin_Y`, `origin_Z`, "
                 + $"`angles_W`, `angles_X`, `angles_Y`, `angles_Z`, `is_Link_Child`) VALUES ({0x70000000 | (block << 12) | index}, {kind}, "
-                + $"{spawn.CellId}, {Real(at.X)}, {Real(at.Y)}, {Real(at.Z)}, {Real(turn.W)}, {Real(turn.X)}, {Real(turn.Y)}, {Real(turn.Z)}, b'0');");
+                + $"{spawn.CellId}, {Real(at.X)}, {Real(at.Y)}, {Real(at.Z)}, "
+                + $"{Real(turn.W)}, {Real(turn.X)}, {Real(turn.Y)}, {Real(turn.Z)}, b'0');");
         }
     }
 
@@ -145,7 +151,8 @@ public static class DemoServerRows
         Line(sql, $"INSERT INTO `weenie_properties_attribute` (`object_Id`, `type`, `init_Level`, `level_From_C_P`, `c_P_Spent`) VALUES "
             + string.Join(", ", Enumerable.Range(1, 6).Select(attribute => $"({id}, {attribute}, 50, 0, 0)")) + ";");
         Line(sql, $"INSERT INTO `weenie_properties_attribute_2nd` (`object_Id`, `type`, `init_Level`, `level_From_C_P`, `c_P_Spent`, "
-            + $"`current_Level`) VALUES ({id}, 1, {beyond}, 0, 0, {beyond}), ({id}, 3, {beyond}, 0, 0, {beyond}), ({id}, 5, 10, 0, 0, 10);");
+            + $"`current_Level`) VALUES "
+            + $"({id}, 1, {beyond}, 0, 0, {beyond}), ({id}, 3, {beyond}, 0, 0, {beyond}), ({id}, 5, 10, 0, 0, 10);");
     }
 
     private static string Real(double value) => ((float)value).ToString("R", CultureInfo.InvariantCulture);

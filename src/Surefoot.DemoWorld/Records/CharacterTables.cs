@@ -85,7 +85,8 @@ internal static class CharacterTables
     ];
 
     private static SkillBase Skill(
-        uint number, string name, int trained, int specialized, uint kind, uint leastTraining, uint divisor, uint first = 0, uint second = 0)
+        uint number, string name, int trained, int specialized, uint kind, uint leastTraining, uint divisor, uint first = 0,
+        uint second = 0)
         => new()
         {
             Skill = number,
@@ -101,7 +102,8 @@ internal static class CharacterTables
             LearnModifier = 1,
         };
 
-    private static IEnumerable<uint> Costs(int ranks, uint first) => Enumerable.Range(0, ranks + 1).Select(rank => (uint)(first * Cube(rank)));
+    private static IEnumerable<uint> Costs(int ranks, uint first)
+        => Enumerable.Range(0, ranks + 1).Select(rank => (uint)(first * Cube(rank)));
 
     private static ulong Cube(int value) => (ulong)value * (ulong)value * (ulong)value;
 }

@@ -28,6 +28,8 @@ public class CommandTests
     [InlineData("conform")]
     [InlineData("network")]
     [InlineData("authority")]
+    [InlineData("sniff")]
+    [InlineData("demo", "rows")]
     public async Task Every_command_explains_itself_with_an_example(params string[] command)
     {
         CommandLine.Outcome run = await CommandLine.RunAsync([.. command, "--help"]);
@@ -58,6 +60,7 @@ public class CommandTests
     [InlineData("network", "--minutes", "0", "--minutes 10")]
     [InlineData("network", "--way", "long-stair", "two places or more")]
     [InlineData("network", "--way", "long-stair;platfrom", "platform")]
+    [InlineData("sniff", "session.pcap", "--port", "70000", "65534")]
     [InlineData("conform", "tests/data/vectors/walk-11.jsonl.gz", "--dats")]
     public async Task Wrong_usage_says_what_is_right_and_exits_with_two(params string[] commandAndHint)
     {

@@ -1,5 +1,6 @@
 using Surefoot.DemoWorld;
 using Surefoot.Tool.Conformance;
+using Surefoot.Tool.Tests.Sniffing;
 
 namespace Surefoot.Tool.Tests.Commands;
 
@@ -30,6 +31,8 @@ public sealed class MutatedInputTests : IDisposable
     [InlineData("demo map")]
     [InlineData("demo places")]
     [InlineData("demo arrows")]
+    [InlineData("demo rows")]
+    [InlineData("sniff")]
     [InlineData("network")]
     [InlineData("authority")]
     [InlineData("conform")]
@@ -78,6 +81,15 @@ internal sealed class Mutations
             Directory.CreateDirectory(world);
             foreach (string path in VectorFiles()) CopyFirstCase(path);
         }
+        else if (command == "sniff")
+        {
+            Directory.CreateDirectory(world);
+            foreach (bool blocks in (bool[])[false, true])
+            {
+                CaptureForm form = new(blocks, Swapped: blocks, LinkType: 1, Nanoseconds: false);
+                File.WriteAllBytes(Path.Combine(world, $"{blocks}.pcap"), CaptureWriter.Write(form, CaptureWriter.Recorded("enter"), 1e9));
+            }
+        }
         else
         {
             DemoWorldBuilder.Write(world);
@@ -123,6 +135,11 @@ internal sealed class Mutations
         "demo map" => [Path.Combine(folder.FullName, "map.svg")],
         "demo places" => ["--json"],
         "demo arrows" => ["--seconds", "0.1"],
+        "demo rows" => [Path.Combine(folder.FullName, "rows.sql"), "--seed", $"{random.Next(3)}"],
+        "sniff" =>
+            [
+                sources[random.Next(sources.Length)].Path, .. random.Next(2) == 0 ? ["--port", "9300"] : Array.Empty<string>(),
+                .. random.Next(2) == 0 ? ["--json", "--packets", "--bytes"] : Array.Empty<string>()],
         "network" => ["--minutes", "0.1", "--seed", $"{random.Next(3)}", "--loss", $"{random.Next(101)}", "--delay", $"{random.Next(999)}"],
         // A good line takes seconds, for all cheats are tried: AuthorityTests runs one.
         "authority" => ["--hours", random.Next(2) == 0 ? "0" : "1e9", "--seed", $"{random.Next(3)}"],
