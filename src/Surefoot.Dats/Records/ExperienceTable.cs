@@ -2,7 +2,8 @@ using System.Collections.Immutable;
 
 namespace Surefoot.Dats.Records;
 
-/// <summary>0x0E000018: experience in total that each rank and level takes (spec 07, 7.17). Every list begins with rank or level 0.</summary>
+/// <summary>0x0E000018: experience in total that each rank and level takes (spec 07, 7.17).</summary>
+/// <remarks>Every list begins with rank or level 0.</remarks>
 public sealed class ExperienceTable : DatRecord, IDatRecord<ExperienceTable>
 {
     /// <inheritdoc/>

@@ -56,7 +56,8 @@ internal static class DemoCommand
         Argument<FileInfo> file = new("FILE") { Description = "SQL file to write." };
         Option<uint> seed = SeedOption();
         Command command = new("rows",
-            "Writes the demo world's inhabitants as rows of an ACE server's world database.\n\nExample:\n  surefoot demo rows demo-world.sql")
+            "Writes the demo world's inhabitants as rows of an ACE server's world database.\n\nExample:\n" +
+            "  surefoot demo rows demo-world.sql")
             { file, seed };
         command.SetAction(parsed =>
         {
