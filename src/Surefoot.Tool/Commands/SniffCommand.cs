@@ -19,11 +19,6 @@ internal static class SniffCommand
             Description = "The server's first port, for a capture that begins in the middle of a session. Without it sessions are found " +
                 "by their login requests.",
         };
-        port.Validators.Add(result =>
-        {
-            if (result.GetValueOrDefault<int?>() is < 1 or > 65534)
-                result.AddError("--port is 1 to 65534; the server's second port is the next one.");
-        });
         Option<string[]> only = new("--only")
         {
             Description = "Only messages of these names, e.g. UpdatePosition.",
@@ -44,6 +39,8 @@ internal static class SniffCommand
         command.SetAction(parsed =>
         {
             FileInfo path = parsed.GetRequiredValue(file);
+            if (parsed.GetValue(port) is < 1 or > 65534)
+                throw new UsageException("--port is 1 to 65534: the server's first port; its second is the next one.");
             var sniffer = new Sniffer(parsed.GetValue(port));
             HashSet<string> names = new(parsed.GetValue(only) ?? [], StringComparer.OrdinalIgnoreCase);
             Action<SniffedEvent> print = parsed.GetValue(json)
