@@ -103,6 +103,7 @@ public sealed partial class PhysicsBody
     /// <remarks>Retail: CPhysicsObj::set_frame @0x00514090.</remarks>
     private void SetFrame(in Frame frame)
     {
+        if (frame.Origin != PositionField.Frame.Origin) ChangedAt = population.Now;
         PositionField.Frame = !frame.IsValid && !HasNaN(frame.Origin) && HasNaN(frame.Rotation)
             ? new Frame(frame.Origin, default)
             : frame;

@@ -19,6 +19,7 @@ public sealed partial class PhysicsBody
     {
         bool wasHidden = State.Has(PhysicsState.Hidden), isHidden = value.Has(PhysicsState.Hidden),
             hadTrees = State.Has(PhysicsState.HasPhysicsBsp);
+        if (value != State) ChangedAt = population.Now;
         State = value;
         ListContradictions();
         if (!KeepsParts) ForgetParts();
@@ -61,6 +62,7 @@ public sealed partial class PhysicsBody
     /// <remarks>Retail: CPhysicsObj::set_ethereal @0x00511C40.</remarks>
     public bool SetEthereal(bool on)
     {
+        if (on != State.Has(PhysicsState.Ethereal)) ChangedAt = population.Now;
         if (on)
         {
             State |= PhysicsState.Ethereal;

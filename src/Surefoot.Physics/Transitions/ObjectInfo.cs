@@ -32,6 +32,9 @@ internal sealed class ObjectInfo
     /// <summary>The mover lets others through.</summary>
     public bool Ethereal { get; private set; }
 
+    /// <summary>The mover passes what has changed since, seconds, and what moves for ever; infinite for none. Retail has none such.</summary>
+    public double PassesChangedSince { get; private set; } = double.PositiveInfinity;
+
     /// <summary>The mover keeps to the ground: all but missiles.</summary>
     public bool KeepsToGround { get; private set; }
 
@@ -51,12 +54,13 @@ internal sealed class ObjectInfo
     /// <param name="identity">Who is not run into, when that is somebody else.</param>
     internal void Init(WorldObject mover, MoverFlags flags, WorldObject? identity = null)
     {
-        Mover = identity ?? mover;
+        Mover = identity ?? mover.StandsFor ?? mover;
         State = mover.State;
         Weenie = mover.Weenie;
         StepUpHeight = mover.StepUpHeight;
         StepDownHeight = mover.StepDownHeight;
         Ethereal = State.Has(PhysicsState.Ethereal);
+        PassesChangedSince = mover.PassesChangedSince;
         KeepsToGround = !State.Has(PhysicsState.Missile);
         if ((Weenie & WeenieTraits.Impenetrable) != 0) flags |= MoverFlags.IsImpenetrable;
         if ((Weenie & WeenieTraits.Player) != 0) flags |= MoverFlags.IsPlayer;

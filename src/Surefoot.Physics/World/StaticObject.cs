@@ -47,6 +47,15 @@ public sealed class StaticObject : WorldObject
     /// <inheritdoc/>
     private protected override float StillScale => 1f;
 
+    /// <summary>Its animation moves a part.</summary>
+    internal bool MovesPart(int index)
+    {
+        if (Animation is null || index >= Animation.PartFrames(0).Length) return false;
+        for (int frame = 1; frame < Animation.FrameCount; frame++)
+            if (Animation.PartFrames(frame)[index] != Animation.PartFrames(0)[index]) return true;
+        return false;
+    }
+
     /// <summary>Where a part was when the object was made, which decides the cells it is listed in.</summary>
     internal Frame FirstPartFrame(int index) => firstParts is null ? PartFrame(index) : firstParts[index];
 

@@ -43,6 +43,18 @@ public partial class WorldObject
     /// <summary>What it is attached to; attached objects are not collided with.</summary>
     public WorldObject? Parent { get; internal set; }
 
+    /// <summary>When it last moved or became another obstacle, seconds of its world; never for statics.</summary>
+    internal double ChangedAt { get; private protected set; } = double.NegativeInfinity;
+
+    /// <summary>
+    /// As a mover it passes what has changed since, seconds, and the parts of statics that an animation moves; infinite, as in retail, for
+    /// none. For judging a body of whose moment only so much is known.
+    /// </summary>
+    internal double PassesChangedSince { get; set; } = double.PositiveInfinity;
+
+    /// <summary>As a mover it does not run into this one, for which it stands; null for nobody.</summary>
+    internal WorldObject? StandsFor { get; set; }
+
     /// <summary>Velocity, metres a second, world axes.</summary>
     public virtual Vector3 Velocity => Vector3.Zero;
 

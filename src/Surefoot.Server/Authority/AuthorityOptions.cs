@@ -16,9 +16,15 @@ public sealed record AuthorityOptions
 
     /// <summary>
     /// How much more may be made up for at once when nothing was heard for so long, seconds: messages that wait for a lost one come in a
-    /// bunch when that has been sent again. It melts away by a second a second.
+    /// bunch when that has been sent again.
     /// </summary>
-    public double Burst { get; init; } = 10;
+    public double Burst { get; init; } = 5.5;
+
+    /// <summary>
+    /// How long that holds after a message that came late, seconds: the next one may be late as well. Then it melts away by a second a
+    /// second.
+    /// </summary>
+    public double BurstHolds { get; init; } = 3;
 
     /// <summary>How much faster than the server's a client's clock may run, as a share.</summary>
     public double ClockDrift { get; init; } = 0.005;
@@ -40,6 +46,12 @@ public sealed record AuthorityOptions
     /// </summary>
     public double DriftFor { get; init; } = 20;
 
+    /// <summary>
+    /// How long what moved or opened or closed may be elsewhere, or be as it was, for the player, seconds: the way of messages both ways.
+    /// What stands for longer is an obstacle like a wall.
+    /// </summary>
+    public double MoversLag { get; init; } = 9;
+
     /// <summary>A claim that misses by no more than this is put right, one that misses by more is refused, metres.</summary>
     public float CorrectWithin { get; init; } = 1f;
 
@@ -57,9 +69,9 @@ public sealed record AuthorityOptions
 
     internal void ThrowIfBad()
     {
-        bool good = Slack > 0 && Burst >= 0 && ClockDrift >= 0 && Tolerance > 0 && MostDoubts >= 0 && DoubtEvery > 0 && DriftFor >= 0 &&
-            CorrectWithin >= 0 && StandWithin > 0 && JumpTolerance >= 0 && StatsGrace >= 0 &&
-            double.IsFinite(Slack + Burst + ClockDrift + DoubtEvery + DriftFor + StatsGrace) &&
+        bool good = Slack > 0 && Burst >= 0 && BurstHolds >= 0 && MoversLag >= 0 && ClockDrift >= 0 && Tolerance > 0 && MostDoubts >= 0 &&
+            DoubtEvery > 0 && DriftFor >= 0 && CorrectWithin >= 0 && StandWithin > 0 && JumpTolerance >= 0 && StatsGrace >= 0 &&
+            double.IsFinite(Slack + Burst + BurstHolds + MoversLag + ClockDrift + DoubtEvery + DriftFor + StatsGrace) &&
             float.IsFinite(Tolerance + CorrectWithin + StandWithin + JumpTolerance);
         if (!good) throw new ArgumentException("A threshold is not finite, or less than its least value.", "options");
     }

@@ -10,7 +10,8 @@ namespace Surefoot.Server;
 /// <param name="Belief">From which belief.</param>
 /// <param name="Guess">By which guess, with the quantum that it has.</param>
 /// <param name="Approach">How near it came.</param>
-internal readonly record struct Explanation(double Cost, int Belief, Guess Guess, Approach Approach);
+/// <param name="Time">The least time that the player needed for it, seconds.</param>
+internal readonly record struct Explanation(double Cost, int Belief, Guess Guess, Approach Approach, double Time);
 
 /// <summary>
 /// What a player's body may be doing: usually one belief, more where the claims so far allow several, because a client does not tell how it
@@ -19,7 +20,7 @@ internal readonly record struct Explanation(double Cost, int Belief, Guess Guess
 internal sealed class Beliefs
 {
     /// <summary>Most beliefs kept.</summary>
-    private const int Most = 8;
+    private const int Most = 12;
 
     /// <summary>Most explanations kept of one kind: with and without the walk key, rising and falling.</summary>
     private const int MostOfAKind = 3;
@@ -69,8 +70,8 @@ internal sealed class Beliefs
     {
         get
         {
-            double time = explanations[0].Approach.Time;
-            for (int i = 1; i < ExplanationCount; i++) time = Math.Min(time, explanations[i].Approach.Time);
+            double time = explanations[0].Time;
+            for (int i = 1; i < ExplanationCount; i++) time = Math.Min(time, explanations[i].Time);
             return time;
         }
     }
@@ -80,7 +81,7 @@ internal sealed class Beliefs
     /// </summary>
     internal void Guess(in Position to, in Contact? ground, ReadOnlySpan<Vector3> velocities)
     {
-        probe.CopyFrom(now[0].Body, passesBodies: false);
+        probe.CopyFrom(now[0].Body, passesMovers: false);
         float quantum = now[0].Quantum;
         probe.Put(to, ground, Landing.Still);
         int count = 0;
@@ -89,7 +90,7 @@ internal sealed class Beliefs
             for (int afresh = 0; afresh < 2 && count < Most; afresh++)
             {
                 ShadowBody body = next[count].Body;
-                body.CopyFrom(probe, passesBodies: false);
+                body.CopyFrom(probe, passesMovers: false);
                 if (afresh == 1) body.Refresh();
                 body.SeatAt(body.Seat with { Velocity = velocity });
                 next[count].Quantum = quantum;
@@ -111,6 +112,7 @@ internal sealed class Beliefs
         for (int i = 0; i < count; i++)
         {
             BodySeat seat = now[i].Body.Seat;
+            if (seat.SlidingNormal != Vector3.Zero) Fork(i, seat with { Transient = seat.Transient ^ TransientState.Sliding });
             Fork(i, seat with { Transient = seat.Transient & ~TransientState.Sliding, SlidingNormal = Vector3.Zero });
             if (wall is { } normal && (normal with { Z = 0 }) is var level && level.LengthSquared() > 0)
                 Fork(i, seat with { Transient = seat.Transient | TransientState.Sliding, SlidingNormal = Vector3.Normalize(level) });
@@ -121,7 +123,7 @@ internal sealed class Beliefs
     {
         if (Count == Most) return;
         ShadowBody body = now[Count].Body;
-        body.CopyFrom(now[index].Body, passesBodies: false);
+        body.CopyFrom(now[index].Body, passesMovers: false);
         body.SeatAt(seat);
         now[Count].Quantum = now[index].Quantum;
         for (int i = 0; i < Count; i++)
@@ -161,15 +163,15 @@ internal sealed class Beliefs
         {
             Explanation one = explanations[i];
             ShadowBody body = next[count].Body;
-            body.CopyFrom(now[one.Belief].Body, one.Guess.PassesBodies);
+            body.CopyFrom(now[one.Belief].Body, one.Guess.PassesMovers);
             Course.Take(body, to, Math.Max(one.Approach.Time, Math.Min(elapsed, one.Approach.Until)), one.Guess, speed);
-            if (!body.HasCell) body.CopyFrom(now[one.Belief].Body, passesBodies: false);
+            if (!body.HasCell) body.CopyFrom(now[one.Belief].Body, passesMovers: false);
             bool lands = ground is not null && !body.OnWalkable;
-            if (lands) probe.CopyFrom(body, passesBodies: false);
-            for (Landing landing = Landing.Level; landing <= (lands ? Landing.Still : Landing.Level) && count < Most; landing++)
+            if (lands) probe.CopyFrom(body, passesMovers: false);
+            for (Landing landing = Landing.Bounced; landing <= (lands ? Landing.Still : Landing.Bounced) && count < Most; landing++)
             {
                 body = next[count].Body;
-                if (landing != Landing.Level) body.CopyFrom(probe, passesBodies: false);
+                if (landing != Landing.Bounced) body.CopyFrom(probe, passesMovers: false);
                 body.Put(to, ground, landing);
                 next[count].Quantum = one.Guess.Quantum;
                 if (!IsKnown(body, count)) count++;

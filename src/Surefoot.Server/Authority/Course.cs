@@ -29,7 +29,7 @@ internal sealed class Course(ShadowBody probe)
     /// <summary>A place that is passed closely at first is not waited for again for longer, seconds.</summary>
     private const double LongestSearch = 1;
 
-    /// <summary>A body on the ground that has got so much farther again does not come back, metres.</summary>
+    /// <summary>A body on the ground that goes straight ahead and has got so much farther again does not come back, metres.</summary>
     private const double GoneBy = 3;
 
     /// <summary>So many quanta without a move are the end of a course.</summary>
@@ -46,7 +46,7 @@ internal sealed class Course(ShadowBody probe)
     /// <param name="patience">How long to look whether the body stays there, seconds.</param>
     internal Approach Follow(ShadowBody body, in Position to, double seconds, in Guess guess, double speed, double patience)
     {
-        probe.CopyFrom(body, guess.PassesBodies);
+        probe.CopyFrom(body, guess.PassesMovers);
         Walk walk = Begin(probe, to, guess, speed);
         Vector3 before = probe.Position.OffsetTo(to);
         double best = before.Length(), bestTime = 0, until = 0;
@@ -67,7 +67,7 @@ internal sealed class Course(ShadowBody probe)
             bool better = miss + (Patience * (time - bestTime)) < best - Nearer;
             if (again || better || (!there && miss <= There && time - bestTime < LongestSearch))
             {
-                (best, bestTime, seat) = (miss, time + (share * guess.Quantum), probe.Seat);
+                (best, bestTime, seat) = (miss, time + (share * (walk.Time - time)), probe.Seat);
                 until = share == 1 ? walk.Time : bestTime;
             }
             else if (until == time && after.Length() <= best + Nearer)
@@ -83,24 +83,29 @@ internal sealed class Course(ShadowBody probe)
                 break;
             }
 
-            if (probe.OnWalkable && miss > best + GoneBy) break;
+            if (probe.OnWalkable && !turns && miss > best + GoneBy) break;
             before = after;
         }
 
         return new Approach(best, bestTime, until, seat, touchy);
     }
 
-    /// <summary>A body takes a course itself for a time, in whole quanta: what is claimed is so between two of them.</summary>
+    /// <summary>
+    /// A body takes a course itself for a time, in whole quanta on the ground: what is claimed is so between two of them. In the air its
+    /// velocity follows from the time itself.
+    /// </summary>
     internal static void Take(ShadowBody body, in Position to, double seconds, in Guess guess, double speed)
     {
         Walk walk = Begin(body, to, guess, speed);
-        while (seconds - walk.Time > guess.Quantum / 2 && body.HasCell) walk.Step(guess.Quantum);
+        while (body.HasCell && seconds - walk.Time > guess.Quantum / (body.OnWalkable ? 2 : 1)) walk.Step(guess.Quantum);
+        double rest = seconds - walk.Time;
+        if (rest > 0 && body is { HasCell: true, OnWalkable: false }) body.Fall(rest);
     }
 
     /// <summary>Where a body would be after a time.</summary>
     internal Position After(ShadowBody body, double seconds)
     {
-        probe.CopyFrom(body, passesBodies: false);
+        probe.CopyFrom(body, passesMovers: false);
         for (double time = 0; time < seconds && probe.HasCell; time += LeastTime) probe.Step(LeastTime);
         return probe.Position;
     }
@@ -109,9 +114,9 @@ internal sealed class Course(ShadowBody probe)
     {
         Position place = who.Position;
         double heading = place.Frame.Heading;
-        if (guess.Turned != 0 || guess.Aside != 0)
+        if (guess.Strays)
         {
-            place.Frame.Origin = place.Frame.LocalToGlobal(new Vector3(guess.Aside, 0, 0));
+            place.Frame.Origin = place.Frame.LocalToGlobal(new Vector3(guess.Aside, 0, guess.Raised));
             place.Frame.SetHeading((float)((heading + guess.Turned + 360) % 360));
             who.SeatAt(who.Seat with { Position = place });
         }
@@ -156,7 +161,8 @@ internal sealed class Course(ShadowBody probe)
     /// <summary>A course under way.</summary>
     private struct Walk(ShadowBody who, Guess guess, double heading, double turn, double duration)
     {
-        private int toggles;
+        private int toggles, steps;
+        private bool turnedBack = guess.Turned == 0;
 
         internal double Time { get; private set; }
 
@@ -168,7 +174,14 @@ internal sealed class Course(ShadowBody probe)
                 toggles++;
             }
 
+            if (!turnedBack && Time >= Guess.TurnsBackAfter)
+            {
+                turnedBack = true;
+                who.SetHeading((float)((who.Position.Frame.Heading - guess.Turned + 720) % 360));
+            }
+
             if (guess.Steers) who.SetHeading((float)((heading + (turn * Math.Min(1, Time / duration)) + 720) % 360));
+            if (guess.LongEvery > 0 && ++steps % guess.LongEvery == 0) quantum *= 1.5f;
             who.Step(quantum);
             Time += quantum;
         }

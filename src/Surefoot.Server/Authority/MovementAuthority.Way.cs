@@ -24,17 +24,8 @@ public sealed partial class MovementAuthority
     /// <summary>The rounds of guesses that are looked at for every belief; the others for the likeliest two.</summary>
     private const int CheapRounds = 2, BeliefsInLaterRounds = 2;
 
-    /// <summary>A floor that a body may have sunk into by a rounding, metres.</summary>
-    private const float Rounding = 0.02f;
-
-    /// <summary>A body that is where it lands has landed after so many quanta.</summary>
-    private const int QuantaToLand = 4;
-
-    /// <summary>Where the shadow stands there is ground for one who is a stair higher or lower, metres.</summary>
-    private const float AboutAStep = 0.35f;
-
-    /// <summary>Time owed that may be forgiven at once, seconds, and how many doubts that costs.</summary>
-    private const double TimeForgiven = 1.5, DoubtsForTime = 2;
+    /// <summary>A message that took so much longer than the last one came late, seconds.</summary>
+    private const double Late = 0.3;
 
     /// <summary>How far ahead a wall is looked for, metres.</summary>
     private const float WallReach = 0.3f;
@@ -42,8 +33,13 @@ public sealed partial class MovementAuthority
     /// <summary>How far back a wall may push a body that runs into it, metres.</summary>
     private const double Back = 0.3;
 
-    /// <summary>Who stands on an edge has something so far below, metres.</summary>
-    private const float OverAnEdge = 0.5f;
+    /// <summary>The beliefs that a second opinion looks at, and how near is near enough for it, metres.</summary>
+    private const int BeliefsInSecondOpinion = 4;
+
+    private const double Sure = 0.1;
+
+    /// <summary>Second opinions had in a row, and how long it takes until one is there again, seconds: each costs a lot.</summary>
+    private const double MostOpinions = 8, OpinionEvery = 2;
 
     private readonly RawMotionState keys = new();
 
@@ -55,32 +51,34 @@ public sealed partial class MovementAuthority
         if (engine.World.GetVisible(to.CellId) is null) return Deny(ClaimReason.NotLoaded, now, away);
 
         beliefs.BeginClaim();
+        soft.Object.PassesChangedSince = engine.Now - options.MoversLag;
+        foreach (ShadowBody shadow in shadows) shadow.MovedSince = engine.Now - options.MoversLag;
         Approach nearest = new(double.PositiveInfinity, 0, 0, beliefs.First.Seat, false);
+        RefillDoubts(now);
+        Way way = new(to, available, elapsed, away / FastestSpeed, now);
         bool isSlow = true;
         for (int k = 0; k < (HasFormerStats(now) ? 2 : 1) && beliefs.ExplanationCount == 0; k++)
         {
             weenie.SetStats(k == 0 ? stats : formerStats);
-            isSlow &= Explain(to, available, elapsed, now, ref nearest);
+            isSlow &= Explain(way, ref nearest);
         }
 
-        // What was taken for a walk may have been a run: some time that is owed is forgiven, now and then.
-        RefillDoubts(now);
-        if (beliefs.ExplanationCount == 0 && !isSlow && doubts >= DoubtsForTime)
+        if (beliefs.ExplanationCount == 0 && opinions >= 1)
         {
-            Explain(to, available + TimeForgiven, elapsed, now, ref nearest);
-            if (beliefs.ExplanationCount > 0) doubts -= DoubtsForTime;
+            opinions--;
+            isSlow &= ExplainFiner(way, ref nearest);
         }
 
         ClaimVerdict verdict = beliefs.ExplanationCount > 0
             ? Accept(to, stands, elapsed, available, now)
-            : Doubt(to, stands, available, now) ?? Object(to, stands, nearest, isSlow, now);
+            : Doubt(to, stands, elapsed, available, now) ?? Object(to, stands, nearest, isSlow, now);
         weenie.SetStats(stats);
         return verdict;
     }
 
     /// <summary>Looks for courses that lead to a place in the time that there is.</summary>
     /// <returns>False when one leads there that takes longer.</returns>
-    private bool Explain(in Position to, double available, double elapsed, double now, ref Approach nearest)
+    private bool Explain(in Way way, ref Approach nearest)
     {
         bool isSlow = true, isTouchy = false;
         for (int round = 0; round < Guess.Rounds.Length; round++)
@@ -89,28 +87,57 @@ public sealed partial class MovementAuthority
             int count = round < CheapRounds ? beliefs.Count : Math.Min(beliefs.Count, BeliefsInLaterRounds);
             for (int i = 0; i < count; i++)
             {
-                ShadowBody body = beliefs[i];
-                foreach (Guess one in guesses)
+                foreach (Guess guess in guesses)
                 {
-                    if ((one.Toggles && !body.Moves) || (one.Late && body.OnWalkable)) continue;
-                    if (round == 0 && one.Toggles && !body.Walks) continue;
-                    if (one.Drift is { } drift && now > (drift.Side == SideDrift.None ? turnedAt : steppedAt) + options.DriftFor) continue;
-                    Guess guess = one.Quantum == 0 ? one with { Quantum = beliefs.QuantumOf(i) } : one;
-                    CourseCount++;
-                    Approach approach = course.Follow(body, to, Math.Min(available + Overtime, LongestCourse), guess, TopSpeed, elapsed);
-                    if (approach.Miss < nearest.Miss) nearest = approach;
-                    if (approach.Miss > (guess.Strays ? options.Tolerance / 2 : options.Tolerance)) continue;
-                    isTouchy |= approach.IsTouchy;
-                    if (approach.Time > available) isSlow = false;
-                    else beliefs.Add(new Explanation(CostOf(approach, elapsed) + CostOf(guess, round, i), i, guess, approach));
+                    if (round == 0 && guess.Toggles && !beliefs[i].Walks) continue;
+                    isSlow &= Try(way, i, guess, round, ref nearest, ref isTouchy);
                 }
             }
 
             bool isEnough = beliefs.ExplanationCount > 0 && beliefs.Best.Approach.Miss <= enough;
-            if (isEnough && !(round == 0 && isTouchy)) break;
+            if (isEnough && !(round == 0 && isTouchy)) return isSlow;
         }
 
         return isSlow;
+    }
+
+    /// <summary>A second opinion: many more guesses, drawn by chance, for the likeliest beliefs; the first good one is enough.</summary>
+    private bool ExplainFiner(in Way way, ref Approach nearest)
+    {
+        bool isSlow = true, isTouchy = false;
+        int count = Math.Min(beliefs.Count, BeliefsInSecondOpinion);
+        foreach (Guess guess in Guess.Finer)
+        {
+            for (int i = 0; i < count; i++) isSlow &= Try(way, i, guess, Guess.Rounds.Length, ref nearest, ref isTouchy);
+            if (beliefs.ExplanationCount > 0 && beliefs.Best.Approach.Miss <= Sure) break;
+        }
+
+        return isSlow;
+    }
+
+    /// <summary>Follows a course, and keeps it when it leads there in time.</summary>
+    /// <returns>False when it leads there, but takes longer.</returns>
+    private bool Try(in Way way, int belief, Guess guess, int round, ref Approach nearest, ref bool isTouchy)
+    {
+        ShadowBody body = beliefs[belief];
+        if ((guess.Toggles && !body.Moves) || (guess.Late && body.OnWalkable)) return true;
+        if (guess.Drift is { } drift && way.Now > (drift.Side == SideDrift.None ? turnedAt : steppedAt) + options.DriftFor) return true;
+        if (guess.Quantum == 0) guess = guess with { Quantum = beliefs.QuantumOf(belief) };
+        CourseCount++;
+        double longest = Math.Min(way.Available + Overtime, LongestCourse);
+        Approach approach = course.Follow(body, way.To, longest, guess, TopSpeed, way.Elapsed);
+        if (approach.Miss < nearest.Miss) nearest = approach;
+        if (approach.Miss > (guess.Strays ? options.Tolerance / 2 : options.Tolerance)) return true;
+        isTouchy |= approach.IsTouchy;
+
+        // A way that was only guessed at may have been another one, at most as fast as the straight one: that is a doubt.
+        double time = approach.Time;
+        bool isCertain = round < CheapRounds && !guess.Toggles;
+        if (!isCertain && (time <= way.Available || doubts >= 1)) time = Math.Min(time, way.Shortest);
+        if (time > way.Available) return false;
+        double cost = CostOf(approach, way.Elapsed) + CostOf(guess, round, belief);
+        beliefs.Add(new Explanation(cost, belief, guess, approach, time));
+        return true;
     }
 
     private double CostOf(in Guess guess, int round, int belief) =>
@@ -131,14 +158,14 @@ public sealed partial class MovementAuthority
         // Who is in the air cannot take his time: the shadow has fallen by now, and he with it.
         double time = beliefs.ShortestTime;
         airLag = stands ? 0 : airLag + elapsed - best.Time;
-        if (airLag > options.Burst)
+        if (airLag > options.Slack + options.Burst)
         {
-            double gap = course.After(beliefs.First, airLag - options.Burst).DistanceTo(to);
+            double gap = course.After(beliefs.First, airLag - options.Slack - options.Burst).DistanceTo(to);
             if (gap > options.CorrectWithin) return Deny(ClaimReason.InTheAir, now, gap);
         }
 
-        credit = Math.Min(options.Slack + options.Burst, Math.Max(0, available - time));
-        lastTime = Math.Max(lastTime, now);
+        if (best.Time > available) doubts = Math.Max(0, doubts - 1);
+        Pay(time, elapsed, available, now);
         beliefs.Settle(to, ground, elapsed, TopSpeed);
         return new ClaimVerdict(ClaimOutcome.Accepted, ClaimReason.None, to, (float)best.Miss);
     }
@@ -147,7 +174,7 @@ public sealed partial class MovementAuthority
     /// A claim that no course leads to is believed now and then: when one can go straight there, at most across where the body was going,
     /// in the time that there is, and no higher than it flies.
     /// </summary>
-    private ClaimVerdict? Doubt(in Position to, bool stands, double available, double now)
+    private ClaimVerdict? Doubt(in Position to, bool stands, double elapsed, double available, double now)
     {
         if (doubts < 1) return null;
         ShadowBody body = beliefs.First;
@@ -169,8 +196,7 @@ public sealed partial class MovementAuthority
         Contact? contact = flies || !stands ? null : ContactOf(begin);
         if (!IsFree(begin.Position, to, contact) && (stands || !IsFreeAbove(begin.Position, to))) return null;
         doubts--;
-        credit = Math.Min(options.Slack + options.Burst, available - time);
-        lastTime = Math.Max(lastTime, now);
+        Pay(time, elapsed, available, now);
         double fall = velocity.Z + (PhysicsBody.Gravity * time);
         beliefs.Guess(to, ground, stands
             ? [Vector3.Zero]
@@ -206,15 +232,21 @@ public sealed partial class MovementAuthority
 
     private void RefillDoubts(double now)
     {
-        doubts = Math.Min(options.MostDoubts, doubts + (Math.Max(0, now - doubtTime) / options.DoubtEvery));
+        double passed = Math.Max(0, now - doubtTime);
+        doubts = Math.Min(options.MostDoubts, doubts + (passed / options.DoubtEvery));
+        opinions = Math.Min(MostOpinions, opinions + (passed / OpinionEvery));
         doubtTime = Math.Max(doubtTime, now);
     }
 
     private ClaimVerdict Object(in Position to, bool stands, in Approach nearest, bool isSlow, double now)
     {
-        if (stands && FootingAt(to) is null) return Deny(ClaimReason.InTheAir, now, nearest.Miss);
+        BodySeat begin = beliefs.First.Seat;
+        bool hasFooting = stands && FootingAt(to) is not null;
+        bool isFree = IsFree(begin.Position, to, hasFooting ? ContactOf(begin) : null);
+        if (stands && !hasFooting && isFree) return Deny(ClaimReason.InTheAir, now, nearest.Miss);
         if (!isSlow) return Deny(ClaimReason.TooFast, now, nearest.Miss);
-        ClaimReason reason = ReasonOf(to, stands, nearest);
+        bool isHigh = !stands && nearest.Seat.Position.OffsetTo(to).Z > nearest.Miss / 2;
+        ClaimReason reason = !isFree ? ClaimReason.ThroughWall : isHigh ? ClaimReason.TooHigh : ClaimReason.OffCourse;
         if (nearest.Miss > options.CorrectWithin) return Deny(reason, now, nearest.Miss);
         PassTime(now);
         beliefs.Collapse();
@@ -228,13 +260,6 @@ public sealed partial class MovementAuthority
         return new ClaimVerdict(ClaimOutcome.Refused, reason, Position, (float)miss);
     }
 
-    private ClaimReason ReasonOf(in Position to, bool stands, in Approach nearest)
-    {
-        BodySeat begin = beliefs.First.Seat;
-        if (!IsFree(begin.Position, to, ContactOf(begin))) return ClaimReason.ThroughWall;
-        return !stands && nearest.Seat.Position.OffsetTo(to).Z > options.Tolerance ? ClaimReason.TooHigh : ClaimReason.OffCourse;
-    }
-
     /// <summary>
     /// How much time of movement may have passed at the player's: what passed here, and what is to its credit. Credit above the slack, as
     /// a pause or a stop of the network leaves it, is good for the messages that come in a bunch after that, and melts away.
@@ -242,8 +267,17 @@ public sealed partial class MovementAuthority
     private double Available(double now)
     {
         double elapsed = Math.Max(0, now - lastTime);
-        double melting = Math.Min(elapsed, Math.Max(0, credit - options.Slack));
+        double melts = Math.Max(0, now - Math.Max(lastTime, lateAt + options.BurstHolds));
+        double melting = Math.Min(melts, Math.Max(0, credit - options.Slack));
         return credit - melting + (elapsed * (1 + options.ClockDrift));
+    }
+
+    /// <summary>The time of a movement is paid from what there is.</summary>
+    private void Pay(double time, double elapsed, double available, double now)
+    {
+        credit = Math.Min(options.Slack + options.Burst, Math.Max(0, available - time));
+        lastTime = Math.Max(lastTime, now);
+        if (elapsed - time > Late) lateAt = now;
     }
 
     private void PassTime(double now)
@@ -255,60 +289,16 @@ public sealed partial class MovementAuthority
     private double TopSpeed => MovementFormulas.RunSpeed * (double)Math.Max(
         stats.RunRate(options.TopSpeedRule), formerStats.RunRate(options.TopSpeedRule));
 
+    /// <summary>That of who steps sideways while running.</summary>
+    private double FastestSpeed => double.Hypot(TopSpeed, ShadowBody.FastestSidestep);
+
     private bool HasFormerStats(double now) => statsChanged + options.StatsGrace >= now;
 
-    /// <summary>What one can stand on at a place: where the shadow stands there is ground, and where a body falls onto it.</summary>
-    private Contact? FootingAt(in Position place)
-    {
-        Position raised = place;
-        raised.Frame.Origin.Z += Rounding;
-        return FootingOf(soft, place) ?? FootingOf(soft, raised) ?? FootingOf(solid, place);
-    }
-
-    private static Contact? FootingOf(in BodySeat seat, in Position place) =>
-        (seat.Transient & TransientState.OnWalkable) != 0 && Math.Abs(seat.Position.OffsetTo(place).Z) <= AboutAStep
-            ? ContactOf(seat)
-            : null;
-
-    /// <summary>
-    /// One may stand on the edge of something that nobody falls onto; now and then that is believed where something is near.
-    /// </summary>
-    private Contact? FootingInDoubt(in Position place)
-    {
-        if (doubts < 1 || !query.ProbeDown(new ProbeDownInput(soft, place, OverAnEdge)).Found) return null;
-        doubts--;
-        return new Contact(new Plane(0, 0, 1, -place.Frame.Origin.Z), place.CellId);
-    }
-
-    /// <summary>A shadow that is about to land there finds what it lands on: an edge that no body falls onto from straight above.</summary>
-    private Contact? FootingSoon(in Position place)
-    {
-        for (int i = 0; i < beliefs.ExplanationCount; i++)
-        {
-            Explanation one = beliefs.ExplanationAt(i);
-            probe.CopyFrom(beliefs[one.Belief], one.Guess.PassesBodies);
-            Course.Take(probe, place, one.Approach.Time, one.Guess, TopSpeed);
-            for (int quantum = 0; quantum < QuantaToLand && probe.HasCell; quantum++)
-            {
-                if (FootingOf(probe.Seat, place) is { } found) return found;
-                probe.Step(one.Guess.Quantum);
-            }
-        }
-
-        return null;
-    }
-
-    private Contact? FootingOf(Mover mover, in Position place)
-    {
-        ProbeDownResult below = query.ProbeDown(new ProbeDownInput(mover, place, options.StandWithin));
-        if (below is { Found: true, Contact: { IsWalkable: true } contact }) return contact;
-        PlaceResult placed = query.Place(new PlaceInput(mover, place, Slides: false));
-        return placed is { Found: true, Contact: { IsWalkable: true } floor } && placed.Position.DistanceTo(place) <= options.StandWithin
-            ? floor
-            : null;
-    }
-
-    private static Contact? ContactOf(in BodySeat seat) => (seat.Transient & TransientState.Contact) != 0 && seat.ContactPlaneCellId != 0
-        ? new Contact(seat.ContactPlane, seat.ContactPlaneCellId, (seat.Transient & TransientState.WaterContact) != 0)
-        : null;
+    /// <summary>A way that is claimed.</summary>
+    /// <param name="To">Where to.</param>
+    /// <param name="Available">Time that it may have taken, seconds.</param>
+    /// <param name="Elapsed">Time since the last claim, seconds.</param>
+    /// <param name="Shortest">The least time in which anyone gets so far, seconds.</param>
+    /// <param name="Now">When it is heard of, seconds.</param>
+    private readonly record struct Way(Position To, double Available, double Elapsed, double Shortest, double Now);
 }

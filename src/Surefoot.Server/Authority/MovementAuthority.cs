@@ -1,6 +1,7 @@
 using System.Numerics;
 using Surefoot.Physics;
 using Surefoot.Physics.Assets;
+using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.Queries;
 using Surefoot.Physics.World;
@@ -19,18 +20,22 @@ namespace Surefoot.Server;
 /// </remarks>
 public sealed partial class MovementAuthority
 {
+    private const WeenieTraits Player = WeenieTraits.Present | WeenieTraits.Creature | WeenieTraits.Player;
+
     private readonly PhysicsEngine engine;
     private readonly AuthorityOptions options;
     private readonly WorldQuery query;
     private readonly Mover solid, soft;
     private readonly PlayerWeenie weenie;
+    private readonly List<ShadowBody> shadows;
     private readonly ShadowBody probe;
     private readonly Beliefs beliefs;
     private readonly Course course;
     private CharacterStats stats, formerStats;
     private double statsChanged = double.NegativeInfinity;
     private double turnedAt = double.NegativeInfinity, steppedAt = double.NegativeInfinity;
-    private double lastTime, credit, airLag, doubts, doubtTime;
+    private readonly double foot;
+    private double lastTime, lateAt = double.NegativeInfinity, credit, airLag, doubts, doubtTime, opinions;
     private bool isPlaced;
 
     /// <summary>An authority over a player that is not yet anywhere; <see cref="TryPlace"/> puts it into the world.</summary>
@@ -48,19 +53,25 @@ public sealed partial class MovementAuthority
         ArgumentNullException.ThrowIfNull(motions);
         options ??= new AuthorityOptions();
         options.ThrowIfBad();
-        const WeenieTraits player = WeenieTraits.Present | WeenieTraits.Creature | WeenieTraits.Player;
         this.engine = engine;
         this.options = options;
         this.stats = formerStats = stats;
         query = engine.CreateQuery();
-        solid = Mover.OfBody(setup, weenie: player);
-        soft = Mover.OfBody(setup, PhysicsState.Default | PhysicsState.Ethereal, player);
+        solid = Mover.OfBody(setup, weenie: Player);
+        foot = setup.Spheres.Length > 0 ? setup.Spheres[0].Radius : 0;
+        soft = Mover.OfBody(setup, weenie: Player);
         weenie = new PlayerWeenie(stats, options.TopSpeedRule);
+        shadows = [];
         probe = MakeShadow();
         beliefs = new Beliefs(MakeShadow, probe);
         course = new Course(probe);
 
-        ShadowBody MakeShadow() => new(engine.Cells, setup, motions, weenie, player);
+        ShadowBody MakeShadow()
+        {
+            ShadowBody made = new(engine.Cells, setup, motions, weenie, Player);
+            shadows.Add(made);
+            return made;
+        }
     }
 
     /// <summary>Where the player is, by the last claim that was accepted.</summary>
@@ -74,6 +85,31 @@ public sealed partial class MovementAuthority
     /// when a message that changes them is sent.
     /// </summary>
     public MovementStamps Stamps { get; set; } = new(1, 0, 0, 0);
+
+    /// <summary>
+    /// What the server says of the player, to be changed when it says something else: killers of the same kind stop each other, and the
+    /// impenetrable everybody; other players pass. That the player is one is understood.
+    /// </summary>
+    public WeenieTraits Traits
+    {
+        get => solid.Weenie;
+        set
+        {
+            foreach (ShadowBody shadow in shadows) shadow.SetWeenie(value | Player);
+            solid.Object.Weenie = soft.Object.Weenie = value | Player;
+        }
+    }
+
+    /// <summary>The player's own body in the engine's world, which does not stand in its way; null when it has none there.</summary>
+    public PhysicsBody? Body
+    {
+        get => solid.Object.StandsFor as PhysicsBody;
+        set
+        {
+            foreach (ShadowBody shadow in shadows) shadow.StandFor(value);
+            solid.Object.StandsFor = soft.Object.StandsFor = value;
+        }
+    }
 
     /// <summary>Claims that were accepted.</summary>
     public long AcceptedCount { get; private set; }
@@ -99,8 +135,8 @@ public sealed partial class MovementAuthority
         beliefs.Collapse();
         beliefs.First.TryEnter(place);
         isPlaced = true;
-        (lastTime, credit, airLag) = (now, options.Slack, 0);
-        (doubts, doubtTime) = (options.MostDoubts, now);
+        (lastTime, lateAt, credit, airLag) = (now, double.NegativeInfinity, options.Slack, 0);
+        (doubts, opinions, doubtTime) = (options.MostDoubts, MostOpinions, now);
         return true;
     }
 
@@ -191,7 +227,7 @@ public sealed partial class MovementAuthority
             double far = 0, high = 0;
             for (int i = 0; i < 2; i++)
             {
-                probe.CopyFrom(beliefs.First, passesBodies: false);
+                probe.CopyFrom(beliefs.First, passesMovers: false);
                 if (i == 0) probe.ToggleRun();
                 probe.Jump(extent, null);
                 Vector3 own = probe.LocalVelocity;

@@ -20,6 +20,9 @@ internal sealed class ShadowBody
     /// <summary>How speeds follow from a run rate: specification 01, 4.3.</summary>
     private const float SidestepFactor = 1.248f, MostSidestep = 3, BackFactor = -0.65f;
 
+    /// <summary>The fastest sidestep, m/s.</summary>
+    internal const double FastestSidestep = MostSidestep * (double)MovementFormulas.SidestepSpeed;
+
     private readonly PhysicsBody body;
     private readonly MovementManager movement;
 
@@ -30,6 +33,15 @@ internal sealed class ShadowBody
         movement = new MovementManager(body, table, weenie);
         SteeredPhysicsBody.Of(body).Attach(movement);
     }
+
+    /// <summary>What moved since then may have been elsewhere for the player, seconds.</summary>
+    internal double MovedSince { get; set; } = double.PositiveInfinity;
+
+    /// <summary>What the server says of the player: other players and it may stop each other.</summary>
+    internal void SetWeenie(WeenieTraits traits) => body.SetWeenie(traits);
+
+    /// <summary>The player's own body in the world, which is no obstacle for it; null for none.</summary>
+    internal void StandFor(PhysicsBody? own) => body.StandsFor = own;
 
     internal BodySeat Seat => body.CurrentSeat;
 
@@ -52,10 +64,10 @@ internal sealed class ShadowBody
 
     /// <summary>Becomes the same as another one.</summary>
     /// <param name="other">The other one.</param>
-    /// <param name="passesBodies">It meets only what cannot move.</param>
-    internal void CopyFrom(ShadowBody other, bool passesBodies)
+    /// <param name="passesMovers">It does not meet what moved lately.</param>
+    internal void CopyFrom(ShadowBody other, bool passesMovers)
     {
-        body.SetEthereal(passesBodies);
+        body.PassesChangedSince = passesMovers ? MovedSince : double.PositiveInfinity;
         SeatAt(other.Seat);
         movement.CopyMotionsFrom(other.movement);
     }
@@ -126,8 +138,9 @@ internal sealed class ShadowBody
         movement.Animation?.Sequence.SetPhysics(new Vector3(drift.Left ? -right : right, ahead, 0), new Vector3(0, 0, (float)omega));
     }
 
-    private static Vector3 Left(Vector3 velocity, Vector3 normal, Landing landing) => landing switch
+    private Vector3 Left(Vector3 velocity, Vector3 normal, Landing landing) => landing switch
     {
+        Landing.Bounced => velocity - ((1 + body.Elasticity) * Vector3.Dot(velocity, normal) * normal),
         Landing.Level => velocity with { Z = 0 },
         Landing.Along => velocity - (Vector3.Dot(velocity, normal) * normal),
         _ => Vector3.Zero,
@@ -165,6 +178,13 @@ internal sealed class ShadowBody
 
     internal void SetHeading(float degrees) => body.SetHeading(degrees);
 
+    /// <summary>Gravity acts on the velocity for a time, seconds; the place stays.</summary>
+    internal void Fall(double seconds)
+    {
+        BodySeat seat = Seat;
+        SeatAt(seat with { Velocity = seat.Velocity with { Z = (float)(seat.Velocity.Z + (PhysicsBody.Gravity * seconds)) } });
+    }
+
     internal void Step(float quantum) => body.AdvanceQuantum(quantum);
 
     /// <summary>Jumps with a charge.</summary>
@@ -182,11 +202,14 @@ internal sealed class ShadowBody
     {
         MotionTableManager? own = movement.Animation, its = other.movement.Animation;
         return Vector3.Distance(body.Velocity, other.body.Velocity) < SameVelocity && body.OnWalkable == other.body.OnWalkable &&
-            (body.OnWalkable || Vector3.Distance(body.SlidingNormal, other.body.SlidingNormal) < SameVelocity) &&
+            (body.OnWalkable || Vector3.Distance(WallAlong, other.WallAlong) < SameVelocity) &&
             own?.Substate == its?.Substate && own?.SubstateSpeed == its?.SubstateSpeed &&
             own?.Sequence.Velocity == its?.Sequence.Velocity && own?.Sequence.Omega == its?.Sequence.Omega &&
             movement.Interpreter.Raw.CurrentHoldKey == other.movement.Interpreter.Raw.CurrentHoldKey;
     }
+
+    /// <summary>Normal of the wall that the next quantum slides along; zero for none.</summary>
+    private Vector3 WallAlong => (Seat.Transient & TransientState.Sliding) != 0 ? body.SlidingNormal : Vector3.Zero;
 
     /// <summary>It is in the air, or slides on with what a landing left it: what comes next hangs on how time is divided.</summary>
     internal bool IsTouchy => !body.OnWalkable || body.Velocity != Vector3.Zero;
@@ -215,6 +238,9 @@ internal sealed class ShadowBody
 /// <summary>What is left of a velocity by a landing that was not seen.</summary>
 internal enum Landing
 {
+    /// <summary>All but what was towards the ground, a little of which is thrown back: the next quantum may be a hop.</summary>
+    Bounced,
+
     /// <summary>What of it was level.</summary>
     Level,
 

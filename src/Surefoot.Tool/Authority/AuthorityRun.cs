@@ -1,5 +1,4 @@
 using Surefoot.DemoWorld;
-using Surefoot.Physics;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.World;
 
@@ -43,14 +42,14 @@ internal sealed class AuthorityRun(AuthorityWorld world)
         for (int round = 0; round < rounds; round++)
         {
             Dice dice = new(seed + (ulong)round);
-            (PhysicsEngine Client, PhysicsEngine Server) engines = (world.CreateEngine(), world.CreateEngine());
             for (int i = 0; i < places; i++)
             {
-                Visit(engines, DemoPlaces.All[i], visit, dice.Next());
+                Visit(DemoPlaces.All[i], visit, dice.Next());
                 progress((round * places) + i + 1, visits);
             }
 
-            for (int i = 0; i < CheatsAnHour; i++)
+            int tries = (int)Math.Ceiling(CheatsAnHour * hours / rounds);
+            for (int i = 0; i < tries; i++)
                 foreach (Cheat cheat in Cheats.All(dice))
                     cheats.Add(CheatTrial.Run(world, (world.CreateEngine(), world.CreateEngine()), cheat, dice.Next()));
         }
@@ -58,10 +57,10 @@ internal sealed class AuthorityRun(AuthorityWorld world)
         Hours += hours;
     }
 
-    private void Visit((PhysicsEngine Client, PhysicsEngine Server) engines, NamedPlace named, double seconds, ulong seed)
+    private void Visit(NamedPlace named, double seconds, ulong seed)
     {
         Position place = new(named.CellId, new Frame(named.Origin, named.Orientation));
-        HonestResult result = HonestTrial.Run(world, engines, place, seconds, seed);
+        HonestResult result = HonestTrial.Run(world, (world.CreateEngine(), world.CreateEngine()), place, seconds, seed);
         Claims += result.Claims;
         Courses += result.Courses;
         foreach (Objection one in result.Objections)

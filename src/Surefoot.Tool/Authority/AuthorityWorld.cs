@@ -32,11 +32,11 @@ internal sealed class AuthorityWorld : IDisposable
 
     internal MotionTableAsset Motions { get; }
 
-    /// <summary>A named place; metres to its right and ahead of it, degrees to the right.</summary>
-    internal static Position PlaceOf(string name, float right = 0, float ahead = 0, float turn = 0)
+    /// <summary>A named place; metres to its right, ahead of it and above it, degrees to the right.</summary>
+    internal static Position PlaceOf(string name, float right = 0, float ahead = 0, float turn = 0, float up = 0)
     {
         if (!DemoPlaces.TryFind(name, out NamedPlace place)) throw new InvalidDataException($"The demo world has no place '{name}'.");
-        return Beside(new Position(place.CellId, new Frame(place.Origin, place.Orientation)), right, ahead, turn);
+        return Beside(new Position(place.CellId, new Frame(place.Origin, place.Orientation)), right, ahead, turn, up);
     }
 
     /// <summary>A place beside another one.</summary>

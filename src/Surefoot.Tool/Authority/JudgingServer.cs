@@ -45,7 +45,7 @@ internal sealed class JudgingServer(PhysicsEngine engine, MovementAuthority auth
         if (what != "Jump") Positions++;
         if (verdict.IsAccepted) return;
         Position claimed = new(place.Cell, new Frame(place.Origin, place.Orientation));
-        Objections.Add(new Objection(Now, what, verdict, claimed, Positions));
+        Objections.Add(new Objection(Now, what, verdict, claimed, Claims, Positions));
         if (GivesIn) authority.TryPlace(claimed, Now);
     }
 }
@@ -55,5 +55,6 @@ internal sealed class JudgingServer(PhysicsEngine engine, MovementAuthority auth
 /// <param name="Message">What kind of message.</param>
 /// <param name="Verdict">The verdict.</param>
 /// <param name="Claimed">The place claimed.</param>
+/// <param name="ClaimNumber">The how many-th claim it was.</param>
 /// <param name="PositionNumber">The how many-th place told it was.</param>
-internal sealed record Objection(double Time, string Message, ClaimVerdict Verdict, Position Claimed, int PositionNumber);
+internal sealed record Objection(double Time, string Message, ClaimVerdict Verdict, Position Claimed, int ClaimNumber, int PositionNumber);

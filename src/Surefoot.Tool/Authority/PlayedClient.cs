@@ -46,6 +46,12 @@ internal sealed class PlayedClient : IMovementObserver, IDisposable
     /// <summary>Messages that told where the player is.</summary>
     internal int PositionsTold { get; private set; }
 
+    /// <summary>Messages of its movement.</summary>
+    internal int ClaimsTold { get; private set; }
+
+    /// <summary>What it says of whether it stands on the ground; null for the truth.</summary>
+    internal bool? SaysContact { get; set; }
+
     private double ClientTime { get; set; }
 
     /// <summary>A frame.</summary>
@@ -62,24 +68,31 @@ internal sealed class PlayedClient : IMovementObserver, IDisposable
     }
 
     /// <summary>Tells where the body is although no rule asks for it.</summary>
-    internal void TellPosition(bool contact = true)
+    internal void TellPosition()
     {
         Position here = Position;
         OnAutonomousPosition(new AutonomousPosition(
-            new WirePosition(here.CellId, here.Frame.Origin, here.Frame.Rotation), new MovementStamps(1, 0, 0, 0), contact), 0);
+            new WirePosition(here.CellId, here.Frame.Origin, here.Frame.Rotation), new MovementStamps(1, 0, 0, 0), Contact: true), 0);
     }
 
     public void OnMoveToState(in MoveToState message, double now)
     {
         PositionsTold++;
-        session.SendToServer(message);
+        Send(message with { Contact = SaysContact ?? message.Contact });
     }
 
-    public void OnJump(in Jump message, double now) => session.SendToServer(message);
+    public void OnJump(in Jump message, double now) => Send(message);
 
     public void OnAutonomousPosition(in AutonomousPosition message, double now)
     {
         PositionsTold++;
+        Send(message with { Contact = SaysContact ?? message.Contact });
+    }
+
+    private void Send<T>(in T message)
+        where T : IGameAction<T>
+    {
+        ClaimsTold++;
         session.SendToServer(message);
     }
 

@@ -75,8 +75,12 @@ internal static class AuthorityCommand
             $"{run.FalseRefusals.Count} refused; {run.MissedCheats} of {run.Caught.Count} cheats missed"));
         foreach (string line in run.FalseRefusals.Take(MostSaid)) CommonOptions.Say(line);
         foreach (CheatResult one in run.Caught.Where(one => !one.IsCaught).Take(MostSaid))
-            CommonOptions.Say($"missed: {one.Cheat}, seed {one.Seed}, {Text(one.Seconds)} s, {one.Reason}");
+            CommonOptions.Say("missed: " + MissOf(one));
     }
+
+    private static string MissOf(CheatResult one) => string.Create(
+        CultureInfo.InvariantCulture,
+        $"{one.Cheat}, seed {one.Seed}, at {one.Place}, frames of {one.Frame:0.000} s: {one.Reason} after {one.Seconds:0.0} s");
 
     private static string Text(double value) => value.ToString("0.0", CultureInfo.InvariantCulture);
 
@@ -97,6 +101,7 @@ internal static class AuthorityCommand
         run.MissedCheats,
         Cheats = Summaries(run),
         Refusals = run.FalseRefusals,
+        Missed = run.Caught.Where(one => !one.IsCaught).Select(MissOf),
     };
 
     private sealed record CheatSummary(

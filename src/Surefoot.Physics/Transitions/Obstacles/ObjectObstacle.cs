@@ -16,6 +16,8 @@ internal static class ObjectObstacle
         if (ethereal && target.State.Has(PhysicsState.IgnoreCollisions)) return Skip(TraceReason.IgnoresCollisions);
         if (mover.Has(MoverFlags.IsViewer) && (target.Weenie & WeenieTraits.Creature) != 0) return Skip(TraceReason.IgnoredCreature);
 
+        if (target.ChangedAt >= mover.PassesChangedSince) return Skip(TraceReason.IgnoresCollisions);
+
         bool soft = ethereal || (mover.Ethereal && !isStatic);
         if (soft && path.SteppingDown) return Skip(TraceReason.Ethereal);
         path.ObstructionEthereal = soft;

@@ -31,6 +31,7 @@ internal static class SetupObstacle
             {
                 GfxObjAsset mesh = setup.Parts[i].Mesh;
                 if (mesh.Physics is null) continue;
+                if (double.IsFinite(transition.Object.PassesChangedSince) && target is StaticObject still && still.MovesPart(i)) continue;
                 float partScale = (float)((double)setup.Parts[i].DefaultScale.Z * scale);
                 double reach = Math.Abs((double)partScale) * (mesh.PhysicsReach + FarMargin);
                 if (IsFarAway(transition.Path, position.CellId, target.PartOrigin(i), reach))
