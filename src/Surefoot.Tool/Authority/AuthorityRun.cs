@@ -1,4 +1,5 @@
 using Surefoot.DemoWorld;
+using Surefoot.Physics;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.World;
 
@@ -42,25 +43,26 @@ internal sealed class AuthorityRun(AuthorityWorld world)
         for (int round = 0; round < rounds; round++)
         {
             Dice dice = new(seed + (ulong)round);
+            (PhysicsEngine Client, PhysicsEngine Server) engines = (world.CreateEngine(), world.CreateEngine());
             for (int i = 0; i < places; i++)
             {
-                Visit(DemoPlaces.All[i], visit, dice.Next());
+                Visit(engines, DemoPlaces.All[i], visit, dice.Next());
                 progress((round * places) + i + 1, visits);
             }
 
             int tries = (int)Math.Ceiling(CheatsAnHour * hours / rounds);
             for (int i = 0; i < tries; i++)
                 foreach (Cheat cheat in Cheats.All(dice))
-                    cheats.Add(CheatTrial.Run(world, (world.CreateEngine(), world.CreateEngine()), cheat, dice.Next()));
+                    cheats.Add(CheatTrial.Run(world, engines, cheat, dice.Next()));
         }
 
         Hours += hours;
     }
 
-    private void Visit(NamedPlace named, double seconds, ulong seed)
+    private void Visit((PhysicsEngine Client, PhysicsEngine Server) engines, NamedPlace named, double seconds, ulong seed)
     {
         Position place = new(named.CellId, new Frame(named.Origin, named.Orientation));
-        HonestResult result = HonestTrial.Run(world, (world.CreateEngine(), world.CreateEngine()), place, seconds, seed);
+        HonestResult result = HonestTrial.Run(world, engines, place, seconds, seed);
         Claims += result.Claims;
         Courses += result.Courses;
         foreach (Objection one in result.Objections)

@@ -1,4 +1,3 @@
-using System.Numerics;
 using Surefoot.Client;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Motion;
