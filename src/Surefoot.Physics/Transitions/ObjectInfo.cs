@@ -32,7 +32,7 @@ internal sealed class ObjectInfo
     /// <summary>The mover lets others through.</summary>
     public bool Ethereal { get; private set; }
 
-    /// <summary>The mover passes what has changed since, seconds, and what moves for ever; infinite for none. Retail has none such.</summary>
+    /// <summary>The mover passes what has changed since, seconds, and what moves for ever; infinite, as in retail, for none.</summary>
     public double PassesChangedSince { get; private set; } = double.PositiveInfinity;
 
     /// <summary>The mover keeps to the ground: all but missiles.</summary>
