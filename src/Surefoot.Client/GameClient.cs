@@ -78,20 +78,23 @@ public sealed class GameClient
     /// act.</summary>
     /// <param name="keys">Keys held now.</param>
     /// <param name="now">Seconds, of a clock that starts anywhere and does not run backwards.</param>
+    /// <returns>True when bodies moved; that is at most every 1/30 s.</returns>
     /// <exception cref="ArgumentException">The time is not finite; nothing has changed.</exception>
-    public void Update(MovementKeys keys, double now)
+    public bool Update(MovementKeys keys, double now)
     {
         PlayerMovementController.ThrowIfNotFinite(now);
         this.now = now;
         if (Player is { } there) land.Follow(there.Body.Position);
+        bool moved = false;
         if (Player is not { WaitsForLand: true })
         {
             Others.Update(now);
-            Engine.Tick(now);
+            moved = Engine.Tick(now);
         }
 
         link.Receive(now, receiver);
         Player?.Act(keys, now);
+        return moved;
     }
 
     /// <summary>

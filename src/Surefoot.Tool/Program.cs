@@ -31,7 +31,7 @@ internal static class Program
         {
             new HelpOption(), new VersionOption(),
             PlayCommand.Create(), WalkCommand.Create(), DatsCommand.Create(), DemoCommand.Create(), ConformCommand.Create(),
-            NetworkCommand.Create(), AuthorityCommand.Create(), ServeCommand.Create(), SniffCommand.Create(),
+            NetworkCommand.Create(), AuthorityCommand.Create(), ServeCommand.Create(), ConnectCommand.Create(), SniffCommand.Create(),
         };
         ParseResult parsed = root.Parse(args);
         if (parsed.Errors.Count > 0 && parsed.Action is ParseErrorAction)

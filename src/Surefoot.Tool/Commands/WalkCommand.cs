@@ -35,10 +35,13 @@ internal static class WalkCommand
                 "Milliseconds of a quantum: all are of this length, and keys act in the one that their moment falls into, as with the " +
                 "page's commands. Without it, frames of 60 a second.",
         };
-        Option<string> script = new("--script")
+        Option<string?> script = new("--script")
         {
             Description = "Keys and seconds: W A S D Q E Shift Space Auto Wait, joined by + and separated by ;",
-            Required = true,
+        };
+        Option<FileInfo?> times = new("--times")
+        {
+            Description = "Walk again what 'surefoot connect --times' kept of a walk on a server, and say whether it ends at the same bits.",
         };
         Option<bool> json = new("--json") { Description = "Print one JSON object." };
         Option<bool> csv = new("--csv") { Description = "Print every quantum as comma-separated values." };
@@ -49,14 +52,17 @@ internal static class WalkCommand
             "Walks a script and prints where the body was.\n\nExample:\n" +
             $"  surefoot walk --at meadow --run 300 --jump 250 --script \"{WalkScript.Example}\" --html walk.html")
         {
-            at, run, jump, burden, latency, quantum, script, json, csv, html, dats,
+            at, run, jump, burden, latency, quantum, script, times, json, csv, html, dats,
         };
         command.SetAction(parsed =>
         {
             CharacterStats stats = new(
                 InRange(parsed, run), InRange(parsed, jump), Burden: InRange(parsed, burden, 1_000_000));
-            string text = parsed.GetRequiredValue(script);
-            IReadOnlyList<WalkLeg> legs = ParseScript(text);
+            string? text = parsed.GetValue(script);
+            FileInfo? timesFile = parsed.GetValue(times);
+            if (text is null == timesFile is null)
+                throw new UsageException($"give --script, for example --script \"{WalkScript.Example}\", or --times with a file.");
+            IReadOnlyList<WalkLeg> legs = text is null ? [] : ParseScript(text);
             double seconds = parsed.GetRequiredValue(latency) / 1000;
             if (parsed.GetValue(json) && parsed.GetValue(csv))
                 throw new UsageException("--json and --csv are two forms of the same: give one of them.");
@@ -66,8 +72,10 @@ internal static class WalkCommand
             if (quantumSeconds is not (null or (>= 1.0 / 30 and <= 0.2)))
                 throw new UsageException("--quantum is between 33.34 and 200 milliseconds, for example --quantum 40.");
             using WalkScene scene = WalkScene.Open(parsed.GetValue(dats));
-            WalkResult walk = WalkRunner.Run(
-                scene, scene.FindPlace(parsed.GetRequiredValue(at)), stats, legs, text, seconds, quantumSeconds);
+            int? different = null;
+            WalkTimes? recorded = timesFile is null ? null : WalkTimes.Read(timesFile.FullName);
+            WalkResult walk = recorded is not null ? WalkRunner.Replay(scene, recorded, out different) : WalkRunner.Run(
+                scene, scene.FindPlace(parsed.GetRequiredValue(at)), stats, legs, text!, seconds, quantumSeconds);
             CommonOptions.SayLeftOut(scene.Simulation.World.LeftOut);
             if (parsed.GetValue(html) is { } file)
             {
@@ -78,9 +86,20 @@ internal static class WalkCommand
             if (parsed.GetValue(json)) Console.Out.WriteLine(JsonSerializer.Serialize(ToJson(walk), Json));
             else if (parsed.GetValue(csv)) PrintCsv(walk);
             else PrintTable(walk);
-            return ExitCode.Done;
+            return recorded is null ? ExitCode.Done : TellSame(recorded, different);
         });
         return command;
+    }
+
+    /// <summary>Says whether the walk ended at the same bits as on the server.</summary>
+    private static int TellSame(WalkTimes recorded, int? different)
+    {
+        CommonOptions.Say(different is { } frame
+            ? string.Create(
+                CultureInfo.InvariantCulture,
+                $"other than on the server from frame {frame} of {recorded.Frames.Count} on: {recorded.Frames[frame].Position} there")
+            : string.Create(CultureInfo.InvariantCulture, $"{recorded.Frames.Count} frames, every position the same bits as on the server"));
+        return different is null ? ExitCode.Done : ExitCode.Failed;
     }
 
     private static int InRange(ParseResult parsed, Option<int> option, int max = MaxSkill)
@@ -91,7 +110,7 @@ internal static class WalkCommand
             : throw new UsageException($"{option.Name} {value} is out of range: it is between 0 and {max}, for example {option.Name} 300.");
     }
 
-    private static IReadOnlyList<WalkLeg> ParseScript(string text)
+    internal static IReadOnlyList<WalkLeg> ParseScript(string text)
     {
         try
         {

@@ -47,6 +47,43 @@ internal sealed class WalkRunner : IMovementObserver
         return new WalkResult(place.Name, script, stats.RunSkill, stats.JumpSkill, runner.samples, runner.events);
     }
 
+    /// <summary>Walks again what was walked on a server: the same keys at the same times, from the same place.</summary>
+    /// <param name="scene">The world.</param>
+    /// <param name="times">The frames.</param>
+    /// <param name="different">The first frame in which the body was not where it was then; null when there is none.</param>
+    /// <exception cref="UsageException">No player can be where it begins.</exception>
+    internal static WalkResult Replay(WalkScene scene, WalkTimes times, out int? different)
+    {
+        WalkRunner runner = new();
+        different = runner.WalkTimed(scene, times);
+        return new WalkResult("recorded", "", times.Stats.RunSkill, times.Stats.JumpSkill, runner.samples, runner.events);
+    }
+
+    /// <summary>Frames as a client on a server has them: bodies move, and then the keys act.</summary>
+    private int? WalkTimed(WalkScene scene, WalkTimes times)
+    {
+        TimedFrame first = times.Frames[0];
+        start = first.Now;
+        scene.Simulation.Tick(start);
+        Player player = Spawn(scene.Simulation, new ScenePlace("recorded", first.Position), times.Stats, latency: 0);
+        scene.Simulation.Engine.Player = player.Body;
+        player.Local.Update(first.Keys, start);
+        Record(player, start);
+        (stood, cell) = (player.Body.OnWalkable, player.Body.Position.CellId);
+        int? different = null;
+        for (int i = 1; i < times.Frames.Count; i++)
+        {
+            TimedFrame frame = times.Frames[i];
+            Advance(player, frame.Now);
+            player.Keys = frame.Keys;
+            player.Local.Update(frame.Keys, frame.Now);
+            if (different is null && player.Body.Position != frame.Position) different = i;
+        }
+
+        scene.Simulation.Remove(player);
+        return different;
+    }
+
     private void RunLegs(
         WalkScene scene, ScenePlace place, CharacterStats stats, IReadOnlyList<WalkLeg> legs, double latency, double? quantum)
     {

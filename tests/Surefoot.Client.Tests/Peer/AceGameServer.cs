@@ -14,6 +14,8 @@ public sealed class AceGameServer : IGameServer, IAsyncLifetime
 
     public string Administrator => "admin";
 
+    public bool JumpsCostStamina => true;
+
     public string[] FailedTransitions(int since) => AceServer.LogLines("failed transition")[since..];
 
     public ValueTask InitializeAsync() => server.InitializeAsync();

@@ -14,6 +14,9 @@ public interface IGameServer
     /// <summary>An account whose player may give commands by chat, such as <c>@teleloc</c>.</summary>
     string Administrator { get; }
 
+    /// <summary>It takes stamina for jumps.</summary>
+    bool JumpsCostStamina { get; }
+
     /// <summary>Places that its own sweep could not reach, as its log tells; null for a server that does not tell.</summary>
     /// <param name="since">How many it had told before.</param>
     string[]? FailedTransitions(int since);

@@ -1,0 +1,29 @@
+using Spectre.Console;
+
+namespace Surefoot.Tool.Online;
+
+/// <summary>Where a password comes from: a file, the environment, or whoever sits there. Never the command line, which others can
+/// read.</summary>
+internal static class PasswordSource
+{
+    internal const string Variable = "SUREFOOT_PASSWORD";
+
+    /// <summary>Finds the password.</summary>
+    /// <param name="file">A file whose first line it is; null for none.</param>
+    /// <param name="account">Whose password is asked for.</param>
+    /// <exception cref="UsageException">There is none, and nobody to ask. The message holds no password.</exception>
+    internal static string Read(FileInfo? file, string account)
+    {
+        if (file is not null)
+        {
+            if (!file.Exists) throw new UsageException($"--password-file: there is no file '{file.FullName}'.");
+            using StreamReader reader = file.OpenText();
+            return reader.ReadLine() ?? throw new UsageException($"--password-file: '{file.FullName}' is empty; its first line is the password.");
+        }
+
+        if (Environment.GetEnvironmentVariable(Variable) is { Length: > 0 } set) return set;
+        if (Console.IsInputRedirected || !AnsiConsole.Profile.Capabilities.Interactive)
+            throw new UsageException($"there is no password and nobody to ask: give --password-file FILE, or set {Variable}.");
+        return AnsiConsole.Prompt(new TextPrompt<string>($"Password of {Markup.Escape(account)}:").Secret(null).AllowEmpty());
+    }
+}
