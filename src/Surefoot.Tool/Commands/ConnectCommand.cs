@@ -24,7 +24,8 @@ internal static class ConnectCommand
         Option<DirectoryInfo?> dats = CommonOptions.Dats();
         Option<FileInfo?> passwordFile = new("--password-file")
         {
-            Description = $"File whose first line is the password. Without it {PasswordSource.Variable} is the password, or it is asked for.",
+            Description =
+                $"File whose first line is the password. Without it {PasswordSource.Variable} is the password, or it is asked for.",
         };
         Option<string?> script = new("--script")
         {
@@ -43,8 +44,8 @@ internal static class ConnectCommand
         Command command = new(
             "connect",
             "Enters the world of a server, shows where the character is and who is near, walks a script and logs off.\n" +
-            "Exit codes: 0 done, 1 failed, 2 wrong usage, 3 no answer, 4 account refused, 5 version refused, 6 in use, 7 character refused, " +
-            "8 server full or closed, 9 session lost, 10 other dat files.\n\nExample:\n" +
+            "Exit codes: 0 done, 1 failed, 2 wrong usage, 3 no answer, 4 account refused, 5 version refused, 6 in use, " +
+            "7 character refused, 8 server full or closed, 9 session lost, 10 other dat files.\n\nExample:\n" +
             $"  surefoot connect --server 127.0.0.1:9000 --account me --character Alma --create --script \"{WalkScript.Example}\"")
         {
             server, account, character, create, dats, passwordFile, script, times, timeout, json,
@@ -85,7 +86,8 @@ internal static class ConnectCommand
     {
         report.Say("asking for a session");
         stay.LogIn();
-        report.Say($"logged in to '{stay.Session.Server?.Name}'; the account has {stay.Session.Characters!.Value.Characters.Count} characters");
+        int characters = stay.Session.Characters!.Value.Characters.Count;
+        report.Say($"logged in to '{stay.Session.Server?.Name}'; characters of the account: {characters}");
         var character = stay.Find(name, create);
         report.Say($"entering the world as {character.Name}");
         stay.Enter(character);

@@ -41,7 +41,8 @@ internal static class WalkCommand
         };
         Option<FileInfo?> times = new("--times")
         {
-            Description = "Walk again what 'surefoot connect --times' kept of a walk on a server, and say whether it ends at the same bits.",
+            Description =
+                "Walk again what 'surefoot connect --times' kept of a walk on a server, and say whether all places are the same bits.",
         };
         Option<bool> json = new("--json") { Description = "Print one JSON object." };
         Option<bool> csv = new("--csv") { Description = "Print every quantum as comma-separated values." };
@@ -98,7 +99,8 @@ internal static class WalkCommand
             ? string.Create(
                 CultureInfo.InvariantCulture,
                 $"other than on the server from frame {frame} of {recorded.Frames.Count} on: {recorded.Frames[frame].Position} there")
-            : string.Create(CultureInfo.InvariantCulture, $"{recorded.Frames.Count} frames, every position the same bits as on the server"));
+            : string.Create(
+                CultureInfo.InvariantCulture, $"{recorded.Frames.Count} frames, every position the same bits as on the server"));
         return different is null ? ExitCode.Done : ExitCode.Failed;
     }
 

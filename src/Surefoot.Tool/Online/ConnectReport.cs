@@ -10,7 +10,8 @@ using Surefoot.Tool.Output;
 
 namespace Surefoot.Tool.Online;
 
-/// <summary>What <c>surefoot connect</c> prints: progress as it happens, to the error stream; results as text or as one JSON object.</summary>
+/// <summary>What <c>surefoot connect</c> prints: progress as it happens, to the error stream; results as text or as one JSON
+/// object.</summary>
 /// <param name="json">One JSON object, at the end.</param>
 /// <param name="server">The server, as it was given.</param>
 internal sealed class ConnectReport(bool json, string server)
@@ -107,12 +108,15 @@ internal sealed class ConnectReport(bool json, string server)
         Position own = stay.Player.Body.Position;
         return stay.Game!.Others.Objects
             .Where(item => item.Body is { HasCell: true, Parent: null })
-            .Select(item => (item, Way: CellIds.BlockOffset(own.CellId, item.Body.Position.CellId) + item.Body.Position.Frame.Origin - own.Frame.Origin))
+            .Select(item => (item, Way: WayTo(own, item.Body.Position)))
             .Where(one => one.Way.Length() <= FarthestNear)
             .OrderBy(one => one.Way.Length())
             .Take(MostNear)
             .Select(one => (one.item, one.Way.Length(), Towards(one.Way)));
     }
+
+    private static Vector3 WayTo(in Position own, in Position other) =>
+        CellIds.BlockOffset(own.CellId, other.CellId) + other.Frame.Origin - own.Frame.Origin;
 
     /// <summary>Degrees clockwise from north.</summary>
     private static double Towards(Vector3 way) => (450 - (Math.Atan2(way.Y, way.X) * 180 / Math.PI)) % 360;

@@ -112,7 +112,8 @@ internal sealed class OnlineStay : ISessionHandler, IDisposable
         if (!Game.IsPlaying)
         {
             throw new ConnectException(
-                "The dat files have no ground where the server puts the player: give the server's own files by --dats.", ExitCode.WrongDats);
+                "The dat files have no ground where the server puts the player: give the server's own files by --dats.",
+                ExitCode.WrongDats);
         }
 
         Wait(SettleTime);

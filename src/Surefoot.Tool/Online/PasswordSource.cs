@@ -18,7 +18,8 @@ internal static class PasswordSource
         {
             if (!file.Exists) throw new UsageException($"--password-file: there is no file '{file.FullName}'.");
             using StreamReader reader = file.OpenText();
-            return reader.ReadLine() ?? throw new UsageException($"--password-file: '{file.FullName}' is empty; its first line is the password.");
+            return reader.ReadLine()
+                ?? throw new UsageException($"--password-file: '{file.FullName}' is empty; its first line is the password.");
         }
 
         if (Environment.GetEnvironmentVariable(Variable) is { Length: > 0 } set) return set;

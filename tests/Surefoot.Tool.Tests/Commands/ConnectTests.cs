@@ -46,7 +46,8 @@ public sealed class ConnectTests : IDisposable
     {
         string times = Path.Combine(folder, "times.txt");
         CommandLine.Outcome run = await ConnectAsync(
-            Password, "--character", "Alma", "--create", "--script", "W 1.5; A 0.4; W+Space 0.5; W 1; Q 0.5; S 0.4", "--times", times, "--json");
+            Password, "--character", "Alma", "--create", "--script", "W 1.5; A 0.4; W+Space 0.5; W 1; Q 0.5; S 0.4",
+            "--times", times, "--json");
         Assert.True(run.ExitCode == 0, run.Error);
         JsonElement told = JsonDocument.Parse(run.Output).RootElement;
         Assert.Equal("Alma", told.GetProperty("character").GetString());
@@ -89,7 +90,8 @@ public sealed class ConnectTests : IDisposable
         using Socket silent = new(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
         silent.Bind(new IPEndPoint(IPAddress.Loopback, 0));
         CommandLine.Outcome unanswered = await RunAsync(
-            Password, "connect", "--server", silent.LocalEndPoint!.ToString()!, "--account", "a", "--character", "b", "--timeout", "2", "--json");
+            Password, "connect", "--server", silent.LocalEndPoint!.ToString()!, "--account", "a", "--character", "b",
+            "--timeout", "2", "--json");
         Assert.Equal(ExitCode.NoServer, unanswered.ExitCode);
         JsonElement error = JsonDocument.Parse(unanswered.Output).RootElement;
         Assert.Equal(ExitCode.NoServer, error.GetProperty("exitCode").GetInt32());
@@ -109,8 +111,14 @@ public sealed class ConnectTests : IDisposable
     [InlineData(":9000", null)]
     public void A_server_is_an_address_and_a_port_below_the_last_one(string text, string? found)
     {
-        if (found is null) Assert.StartsWith("--server", Assert.Throws<UsageException>(() => ServerAddress.Find(text)).Message, StringComparison.Ordinal);
-        else Assert.Equal(found, ServerAddress.Find(text).ToString());
+        if (found is not null)
+        {
+            Assert.Equal(found, ServerAddress.Find(text).ToString());
+            return;
+        }
+
+        string refusal = Assert.Throws<UsageException>(() => ServerAddress.Find(text)).Message;
+        Assert.StartsWith("--server", refusal, StringComparison.Ordinal);
     }
 
     private async Task RefusedAsync(int code, string? password, params string[] arguments)
