@@ -13,9 +13,10 @@ public enum BroadcastDetail
     Live,
 
     /// <summary>
-    /// More, in the same messages: a place with each motion; a jumper that goes on turning in the air, and running when it has landed; no
-    /// velocity with the place where it lands, so that a take-off which comes later than that is dropped; the place of one who stands
-    /// three times more, a second apart, so that no late motion leaves it elsewhere.
+    /// More, in the same messages: a place with each motion but a jump's; a jumper that goes on turning in the air, and running when it has
+    /// landed; no velocity some time after it landed, so that a take-off which comes later than that is dropped; all of it three times
+    /// within 0.3 s with the same stamps, so that nobody waits for what was lost; the place of one who stands three times more, a second
+    /// apart. Needs <see cref="PlayerBroadcast.Update"/>.
     /// </summary>
     Full,
 }
@@ -35,6 +36,14 @@ public sealed class PlayerBroadcast
     private const double PositionInterval = 1.0;
 
     private const double RepeatInterval = 1.0;
+
+    /// <summary>Seconds between two places that come alone, in full: who climbs a stair reports each step.</summary>
+    private const double LeastInterval = 0.2;
+
+
+    /// <summary>Seconds after a landing at which others have seen it, as a rule.</summary>
+    private const double FlightsEnd = 0.4;
+
     private const int MostRepeats = 3;
     private const uint Visible = 0x600408, InPortalSpace = 0x604410, Entering = 0x404410;
     private const uint Ready = 0x41000003, CreatureType = 0x10, PlayerFlags = 0x1C;
@@ -42,12 +51,13 @@ public sealed class PlayerBroadcast
     private readonly uint player;
     private readonly IAudience audience;
     private readonly PassedActions actions = new();
+    private readonly Retelling retelling;
     private WireRawMotion asked = new();
     private bool chargesLongJump, onGround = true, hasJumped;
     private MovementData seen = MovementData.Motion(0, new WireInterpretedMotion());
     private WirePosition place;
     private uint state = Visible;
-    private double lastPosition = double.NegativeInfinity;
+    private double lastPosition = double.NegativeInfinity, landedAt = double.PositiveInfinity, owedAt = double.PositiveInfinity;
     private int repeats = MostRepeats;
 
     /// <summary>A player whose life in the world begins: it stands. Nobody is told yet.</summary>
@@ -66,6 +76,7 @@ public sealed class PlayerBroadcast
         this.place = place;
         this.audience = audience;
         RunRate = runRate;
+        retelling = new Retelling(audience);
         Stamps = new ObjectStamps(0, 0, 0, 0, 0, 0, 0, 0, instance);
     }
 
@@ -113,17 +124,21 @@ public sealed class PlayerBroadcast
     /// <param name="now">Seconds.</param>
     public void Take(in MoveToState move, double now)
     {
-        onGround = move.Contact;
+        bool lands = Lands(move.Contact, now);
         if (actions.TryPass(move.Motion.Actions, out MotionActions passed))
         {
             asked = move.Motion;
             chargesLongJump = move.StandingLongJump;
-            seen = Asked();
-            TellMotion(MotionTranslation.Interpret(asked, RunRate, chargesLongJump, passed), autonomous: true);
+            seen = Seen();
+            TellMotion(Seen(passed), autonomous: true);
+        }
+        else if (lands)
+        {
+            TellMotion(seen = Seen(), autonomous: true);
         }
 
-        bool isDue = Detail == BroadcastDetail.Full || now - lastPosition >= PositionInterval;
-        TakePlace(move.Position, move.Contact, isDue, now);
+        if (Detail == BroadcastDetail.Full) Owe(move.Position, move.Contact, due: now);
+        else TakePlace(move.Position, move.Contact, isDue: now - lastPosition >= PositionInterval, now);
     }
 
     /// <summary>The player is somewhere.</summary>
@@ -131,14 +146,9 @@ public sealed class PlayerBroadcast
     /// <param name="now">Seconds.</param>
     public void Take(in AutonomousPosition position, double now)
     {
-        onGround = position.Contact;
-        TakePlace(position.Position, position.Contact, isDue: true, now);
-        if (!position.Contact || !hasJumped) return;
-        hasJumped = false;
-        if (Detail != BroadcastDetail.Full) return;
-        // Stamps of places do not hold back a take-off that comes late, those of velocities do: nobody jumps where it stands already.
-        TellVelocity(default);
-        TellMotion(seen = Asked(), autonomous: true);
+        if (Detail == BroadcastDetail.Full) Owe(position.Position, position.Contact, due: lastPosition + LeastInterval);
+        else TakePlace(position.Position, position.Contact, isDue: true, now);
+        if (Lands(position.Contact, now)) TellMotion(seen = Seen(), autonomous: true);
     }
 
     /// <summary>
@@ -150,25 +160,32 @@ public sealed class PlayerBroadcast
     {
         onGround = false;
         hasJumped = true;
-        seen = MovementData.Motion(0, new WireInterpretedMotion());
-        if (Detail == BroadcastDetail.Full)
-        {
-            MovementData still = MotionTranslation.Interpret(asked, RunRate, standingLongJump: true);
-            seen = MovementData.Motion(still.Style, still.State);
-        }
-
+        landedAt = owedAt = double.PositiveInfinity;
+        seen = Detail == BroadcastDetail.Full ? Seen() : MovementData.Motion(0, new WireInterpretedMotion());
         TellMotion(seen, autonomous: true);
         TellVelocity(Vector3.Transform(jump.Velocity, jump.Position.Orientation));
+        // Nobody follows a place in the air, but the stamp is newer than those of places that come late: whoever has taken off goes back
+        // to such a place when it has landed.
+        if (Detail == BroadcastDetail.Full && !IsTeleporting) TellPosition(jump.Position, contact: false, lastPosition);
     }
 
-    /// <summary>Lets time pass: what is told once more is told. To be called often, as each frame.</summary>
+    /// <summary>Lets time pass: places that wait and what is told once more are told. To be called often, as each frame.</summary>
     /// <param name="now">Seconds.</param>
     public void Update(double now)
     {
-        if (Detail != BroadcastDetail.Full || repeats >= MostRepeats || IsTeleporting || !Stands || now - lastPosition < RepeatInterval)
-            return;
+        if (Detail != BroadcastDetail.Full) return;
+        if (now >= owedAt) TellPosition(place, contact: true, now);
+        // Stamps of places do not hold back a take-off that comes late, those of velocities do: nobody jumps where it stands already.
+        if (now - landedAt >= FlightsEnd)
+        {
+            landedAt = double.PositiveInfinity;
+            TellVelocity(default);
+        }
+
+        retelling.Update(now);
+        if (repeats >= MostRepeats || IsTeleporting || !Stands || now - lastPosition < RepeatInterval) return;
         repeats++;
-        TellPosition(place, contact: true, now);
+        TellPosition(place, contact: true, now, isRepeat: true);
     }
 
     /// <summary>The player's run rate changed. One that moves on the ground by it is ordered to go on at the new speed.</summary>
@@ -230,7 +247,36 @@ public sealed class PlayerBroadcast
     /// <summary>Nothing is asked of it that would move or turn it.</summary>
     private bool Stands => onGround && asked is { ForwardCommand: Ready, SidestepCommand: 0, TurnCommand: 0 };
 
+    /// <summary>It is on the ground or not: one that jumped and is, is told of in full.</summary>
+    private bool Lands(bool contact, double now)
+    {
+        onGround = contact;
+        if (!contact || !hasJumped) return false;
+        hasJumped = false;
+        if (Detail != BroadcastDetail.Full) return false;
+        landedAt = now;
+        return true;
+    }
+
+    /// <summary>
+    /// What others see it do. One that jumped only turns in the air, whatever its keys say: the velocity of a take-off that comes after a
+    /// motion would be replaced by the motion's (specification 09, 4.4).
+    /// </summary>
+    private MovementData Seen(in MotionActions passed = default)
+    {
+        if (!hasJumped || Detail != BroadcastDetail.Full) return MotionTranslation.Interpret(asked, RunRate, chargesLongJump, passed);
+        MovementData still = MotionTranslation.Interpret(asked, RunRate, standingLongJump: true, passed);
+        return MovementData.Motion(still.Style, still.State);
+    }
+
     private MovementData Asked() => MotionTranslation.Interpret(asked, RunRate, chargesLongJump);
+
+    /// <summary>A place on the ground is told with the next update, or a little later where another one was told just now.</summary>
+    private void Owe(in WirePosition at, bool contact, double due)
+    {
+        TakePlace(at, contact, isDue: false, due);
+        owedAt = contact && !IsTeleporting ? Math.Min(owedAt, due) : double.PositiveInfinity;
+    }
 
     private void TakePlace(in WirePosition at, bool contact, bool isDue, double now)
     {
@@ -240,25 +286,32 @@ public sealed class PlayerBroadcast
         if (isDue) TellPosition(at, contact, now);
     }
 
-    private void TellPosition(in WirePosition at, bool contact, double now)
+    private void TellPosition(in WirePosition at, bool contact, double now, bool isRepeat = false)
     {
         place = at;
         lastPosition = now;
+        owedAt = double.PositiveInfinity;
         Stamps = Stamps with { Position = Next(Stamps.Position) };
-        audience.Tell(new UpdatePosition(
-            player, new PositionPack(at, contact, Stamps.Instance, Stamps.Position, Stamps.Teleport, Stamps.ForcePosition)));
+        UpdatePosition told = new(
+            player, new PositionPack(at, contact, Stamps.Instance, Stamps.Position, Stamps.Teleport, Stamps.ForcePosition));
+        audience.Tell(told);
+        if (!isRepeat) retelling.Note(told);
     }
 
     private void TellMotion(in MovementData motion, bool autonomous)
     {
         Stamps = Stamps with { Movement = Next(Stamps.Movement) };
-        audience.Tell(new UpdateMotion(player, Stamps.Instance, Stamps.Movement, Stamps.ServerControlledMove, autonomous, motion));
+        UpdateMotion told = new(player, Stamps.Instance, Stamps.Movement, Stamps.ServerControlledMove, autonomous, motion);
+        audience.Tell(told);
+        retelling.Note(told);
     }
 
     private void TellVelocity(Vector3 velocity)
     {
         Stamps = Stamps with { Vector = Next(Stamps.Vector) };
-        audience.Tell(new VectorUpdate(player, velocity, default, Stamps.Instance, Stamps.Vector));
+        VectorUpdate told = new(player, velocity, default, Stamps.Instance, Stamps.Vector);
+        audience.Tell(told);
+        retelling.Note(told);
     }
 
     private void TellState(uint value)

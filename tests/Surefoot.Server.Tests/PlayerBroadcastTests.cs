@@ -19,6 +19,12 @@ public class PlayerBroadcastTests
 
     private PlayerBroadcast Full() => new(Player, At(12), audience, runRate: 2.5f) { Detail = BroadcastDetail.Full };
 
+    /// <summary>Updates 32 times a second, the end left out.</summary>
+    private static void Pass(PlayerBroadcast broadcast, double from, double to)
+    {
+        for (double now = from; now < to; now += 1 / 32.0) broadcast.Update(now);
+    }
+
     private static WirePosition At(float y) => new(0xA9B40001, new Vector3(12, y, 0), Quaternion.Identity);
 
     private static MoveToState Asks(in WireRawMotion motion, float y = 12, bool contact = true) =>
@@ -97,22 +103,46 @@ public class PlayerBroadcastTests
     }
 
     [Fact]
+    [Behaviour("broadcast.full.air", "BroadcastDetail.Full; spec/09, 4.4: LeaveGround puts the motion's velocity for the jump's")]
+    public void In_full_a_jumper_whose_keys_change_in_the_air_has_no_motion_that_would_take_its_velocity()
+    {
+        PlayerBroadcast full = Full();
+        full.Take(new Jump(0.5f, new Vector3(0, 4, 5), At(12), NoStamps));
+        full.Take(Asks(new WireRawMotion(RunKey, forwardCommand: WalkForward, turnCommand: TurnRight), y: 14, contact: false), now: 0.5);
+        Assert.Equal(new WireInterpretedMotion(turnCommand: 0x0D, turnSpeed: 1.5f), audience.Motions.Last().Movement.State);
+        full.Take(Asks(Runs, y: 20), now: 1);
+        Assert.Equal(new WireInterpretedMotion(forwardCommand: RunForward, forwardSpeed: 2.5f), audience.Motions.Last().Movement.State);
+    }
+
+    [Fact]
+    [Behaviour("broadcast.full.falls", "BroadcastDetail.Full; spec/09, 5.4: it does what the message says")]
+    public void In_full_who_runs_over_an_edge_without_a_jump_is_told_running_on()
+    {
+        PlayerBroadcast full = Full();
+        full.Take(Asks(Runs, y: 14, contact: false), now: 0.5);
+        Assert.Equal(new WireInterpretedMotion(forwardCommand: RunForward, forwardSpeed: 2.5f), audience.Motions.Last().Movement.State);
+    }
+
+    [Theory]
     [Behaviour("broadcast.full.landing", "BroadcastDetail.Full; spec/09, 5.2: a velocity acts when its VECTOR stamp is newer")]
-    public void In_full_who_lands_has_no_velocity_any_more_by_a_newer_stamp_than_the_take_off()
+    [InlineData(true)]
+    [InlineData(false)]
+    public void In_full_who_landed_has_no_velocity_any_more_by_a_newer_stamp_than_the_take_off(bool byKeys)
     {
         PlayerBroadcast full = Full();
         full.Take(new AutonomousPosition(At(12), NoStamps, Contact: true), now: 0);
+        Pass(full, from: 0, to: 0.5);
         Assert.Empty(audience.Told.OfType<VectorUpdate>());
         full.Take(new Jump(0.5f, new Vector3(0, 4, 5), At(12), NoStamps));
         full.Take(new AutonomousPosition(At(15), NoStamps, Contact: false), now: 0.5);
-        full.Take(new AutonomousPosition(At(20), NoStamps, Contact: true), now: 1);
-        full.Take(new AutonomousPosition(At(21), NoStamps, Contact: true), now: 2);
-        Assert.Equal(
-            [
-                new VectorUpdate(Player, new Vector3(0, 4, 5), default, 1, 1),
-                new VectorUpdate(Player, default, default, 1, 2),
-            ],
-            audience.Told.OfType<VectorUpdate>());
+        Pass(full, from: 0.5, to: 1);
+        if (byKeys) full.Take(Asks(Runs, y: 20), now: 1);
+        else full.Take(new AutonomousPosition(At(20), NoStamps, Contact: true), now: 1);
+        Pass(full, from: 1, to: 1.375);
+        VectorUpdate takeOff = new(Player, new Vector3(0, 4, 5), default, 1, 1), landed = new(Player, default, default, 1, 2);
+        Assert.Equal([takeOff], audience.Told.OfType<VectorUpdate>().Distinct());
+        Pass(full, from: 1.375, to: 3);
+        Assert.Equal([takeOff, landed], audience.Told.OfType<VectorUpdate>().Distinct());
     }
 
     [Fact]
@@ -121,8 +151,63 @@ public class PlayerBroadcastTests
     {
         PlayerBroadcast full = Full();
         full.Take(Asks(Runs, y: 1), now: 0);
-        full.Take(Asks(new WireRawMotion(RunKey), y: 2), now: 0.125);
+        full.Update(0);
+        full.Take(Asks(new WireRawMotion(RunKey), y: 2), now: 0.0625);
+        full.Update(0.0625);
         Assert.Equal([1f, 2f], audience.Positions.Select(item => item.Pack.Position.Origin.Y));
+        Assert.All(audience.Positions, item => Assert.True(item.Pack.Contact));
+    }
+
+    [Fact]
+    [Behaviour("broadcast.full.take-off", "BroadcastDetail.Full; spec/09, 3.2 and 5.3: no place is followed in the air, what came before is first after it")]
+    public void In_full_a_take_off_leaves_no_place_to_go_back_to()
+    {
+        PlayerBroadcast full = Full();
+        full.Take(Asks(Runs, y: 1), now: 0);
+        full.Update(0);
+        full.Take(Asks(Runs, y: 4), now: 0.5);
+        full.Take(new Jump(0.5f, new Vector3(0, 4, 5), At(4), NoStamps));
+        Pass(full, from: 0.5, to: 1);
+        UpdatePosition[] places = [.. audience.Positions.Distinct()];
+        Assert.Equal([(1f, true, 1), (4f, false, 2)],
+            places.Select(item => (item.Pack.Position.Origin.Y, item.Pack.Contact, (int)item.Pack.PositionStamp)));
+    }
+
+    [Fact]
+    [Behaviour("broadcast.full.stairs", "BroadcastDetail.Full")]
+    public void In_full_places_that_come_alone_are_told_five_times_a_second_and_the_last_of_them_always()
+    {
+        PlayerBroadcast full = Full();
+        for (int frame = 0; frame <= 10; frame++)
+        {
+            double now = frame / 32.0;
+            full.Take(new AutonomousPosition(At(frame), NoStamps, Contact: true), now);
+            full.Update(now);
+        }
+
+        Pass(full, from: 11 / 32.0, to: 0.5);
+        // 0.2 s are 6.4 frames: the first, the one that is seven later, and the last, when as much time has passed again.
+        Assert.Equal([0f, 7f, 10f], audience.Positions.Distinct().Select(item => item.Pack.Position.Origin.Y));
+    }
+
+    [Fact]
+    [Behaviour("broadcast.full.again", "BroadcastDetail.Full; spec/09, 5.2: a duplicate is dropped")]
+    public void In_full_what_was_told_is_told_twice_more_with_the_same_stamps_and_only_what_is_newest()
+    {
+        PlayerBroadcast full = Full();
+        full.Take(Asks(Runs, y: 1), now: 0);
+        full.Update(0);
+        object[] first = [.. audience.Told];
+        Assert.Equal([typeof(UpdateMotion), typeof(UpdatePosition)], first.Select(item => item.GetType()));
+        Pass(full, from: 0.03125, to: 2);
+        Assert.Equal([.. first, .. first, .. first], audience.Told);
+
+        audience.Told.Clear();
+        full.Take(Asks(new WireRawMotion(RunKey, turnCommand: TurnRight), y: 2), now: 2);
+        full.Update(2);
+        full.Take(Asks(new WireRawMotion(RunKey), y: 2), now: 2.0625);
+        Pass(full, from: 2.0625, to: 2.5);
+        Assert.Equal([2, 3, 3, 3], audience.Motions.Select(item => (int)item.MovementStamp));
     }
 
     [Fact]
@@ -131,18 +216,14 @@ public class PlayerBroadcastTests
     {
         PlayerBroadcast full = Full();
         full.Take(Asks(Runs, y: 1), now: 0);
-        Pass(from: 0, to: 5);
-        Assert.Single(audience.Positions);
+        Pass(full, from: 0, to: 5);
+        Assert.Single(audience.Positions.Distinct());
 
         full.Take(Asks(new WireRawMotion(RunKey), y: 2), now: 5);
-        Pass(from: 5, to: 20);
-        Assert.Equal([1f, 2f, 2f, 2f, 2f], audience.Positions.Select(item => item.Pack.Position.Origin.Y));
-        Assert.Equal([1, 2, 3, 4, 5], audience.Positions.Select(item => (int)item.Pack.PositionStamp));
-
-        void Pass(double from, double to)
-        {
-            for (double now = from; now < to; now += 0.25) full.Update(now);
-        }
+        Pass(full, from: 5, to: 20);
+        UpdatePosition[] places = [.. audience.Positions.Distinct()];
+        Assert.Equal([1f, 2f, 2f, 2f, 2f], places.Select(item => item.Pack.Position.Origin.Y));
+        Assert.Equal([1, 2, 3, 4, 5], places.Select(item => (int)item.Pack.PositionStamp));
     }
 
     [Fact]

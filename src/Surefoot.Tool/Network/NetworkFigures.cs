@@ -11,9 +11,9 @@ namespace Surefoot.Tool.Network;
 /// </param>
 /// <param name="OffPath">Metres from the nearest point of the runner's path of the last second, one a frame, least first.</param>
 /// <param name="Judged">Frames in which retail's placement test was asked about where it was drawn.</param>
-/// <param name="InSolid">Where that test found it inside something.</param>
+/// <param name="InSolid">Where that test found it inside something, and whether it touched a face there.</param>
 /// <param name="WithoutFaces">
-/// Frames in which it could not have been put where it was, though it touched no face: sweeps lead there too.
+/// How many of those were in a leaf that is marked solid, touching no face: the mark is asked only when a body is put somewhere.
 /// </param>
 /// <param name="Blips">How often it was put somewhere instead of going there.</param>
 /// <param name="PlacesReached">How often the runner got where its hands wanted it.</param>
@@ -33,10 +33,12 @@ internal sealed record NetworkFigures(
     internal const double PathLimit = 1;
 
     /// <summary>
-    /// The share of rests that may be a step apart, given up or under way, all together: where retail's own rules have a body. One may in
-    /// any run: ten minutes have some twenty rests.
+    /// The share of rests that may be a step apart or blocked, where retail's own placement or sweep has a body. Three may in any run: ten
+    /// minutes have some twenty rests.
     /// </summary>
     internal const double ExcusedShare = 0.02;
+
+    private const int MostExcusedInShort = 3;
 
     internal double MeanOffPath => OffPath.Length > 0 ? OffPath.Average() : 0;
 
@@ -45,63 +47,50 @@ internal sealed record NetworkFigures(
     /// <summary>The distance that 95 of 100 frames do not exceed.</summary>
     internal double P95OffPath => OffPath.Length > 0 ? OffPath[(int)Math.Ceiling(0.95 * OffPath.Length) - 1] : 0;
 
-    /// <summary>The farthest at rest, those left out that are a step apart, given up or under way; metres.</summary>
+    /// <summary>The farthest at rest, those left out that are a step apart or blocked; metres.</summary>
     internal double WorstAtRest => AtRest.Where(one => !one.IsExcused).Select(one => one.Distance).DefaultIfEmpty().Max();
 
-    /// <summary>How often it stood where it was to be, but a step higher or lower.</summary>
+    /// <summary>How often it stood where retail's placement puts who is told to be there, and that is elsewhere.</summary>
     internal int StepsApart => AtRest.Count(one => one.IsAStepApart);
 
-    /// <summary>How often it stood within 0.2 m, and something was in the way.</summary>
-    internal int GivenUp => AtRest.Count(one => one.IsGivenUp);
+    /// <summary>How often it stood within 0.2 m, and retail's sweep leads no nearer.</summary>
+    internal int Blocked => AtRest.Count(one => one.IsBlocked);
 
-    /// <summary>How often it was still following places that it had been told before.</summary>
-    internal int UnderWay => AtRest.Count(one => one.IsUnderWay);
-
-    /// <summary>How many may be a step apart, given up or under way: one, or 2 % of the rests if that is more.</summary>
-    internal int MostExcused => Math.Max(1, (int)(ExcusedShare * AtRest.Count));
+    /// <summary>How many may be a step apart or blocked: three, or 2 % of the rests if that is more.</summary>
+    internal int MostExcused => Math.Max(MostExcusedInShort, (int)(ExcusedShare * AtRest.Count));
 
     internal double BlipsAnHour => Blips * 3600 / Seconds;
 
     /// <summary>Everything is as near as it is to be.</summary>
     internal bool IsGood =>
-        WorstAtRest <= RestLimit && AtRest.Count(one => one.IsExcused) <= MostExcused && InSolid.Count == 0 && P95OffPath < PathLimit;
+        WorstAtRest <= RestLimit && StepsApart + Blocked <= MostExcused && InSolid.Count == 0 && P95OffPath < PathLimit;
 }
 
 /// <summary>How far a body that stands is from where it was told to be.</summary>
-/// <param name="OverGround">Metres over ground.</param>
-/// <param name="Height">Metres up to where it was told to be.</param>
-/// <param name="Follows">It has places yet to follow.</param>
-internal readonly record struct RestDistance(double OverGround, double Height, bool Follows = false)
+/// <param name="Distance">Metres.</param>
+/// <param name="FromPut">Metres from where retail's placement puts a body that is to be at the place told.</param>
+/// <param name="WhenSwept">Metres from the place told to where the body's own sweep to it ends.</param>
+internal readonly record struct RestDistance(double Distance, double FromPut, double WhenSwept)
 {
-    /// <summary>What a human steps down without leaving the ground, metres.</summary>
-    private const double MostStep = 0.6;
-
     private const double QuietLimit = 0.2;
 
-    internal double Distance => Math.Sqrt((OverGround * OverGround) + (Height * Height));
+    /// <summary>
+    /// It stands exactly where it would have been put, and that is not the place told: who climbed a stair stands on the edge of the next
+    /// step already, who is put there on the one below, as a placement takes the floor within the step-down height (specification 03, 4.9).
+    /// Following a place right above does not lift who stands: the way is bent along the floor (03, 4.6), and a place that cannot be got
+    /// nearer to ends in a placement (09, 3.2).
+    /// </summary>
+    internal bool IsAStepApart => Distance > NetworkFigures.RestLimit && FromPut <= NetworkFigures.RestLimit;
 
     /// <summary>
-    /// It stands where it was told to, on another step: who climbed there stands on the edge of the next step already, who is put there on
-    /// the one below, as a placement takes the floor within the step-down height (specification 03, 4.9). Following a place right above
-    /// does not lift who stands: the way is bent along the floor (03, 4.6).
+    /// It cannot get nearer: who ran against a wall keeps the wall's normal for the next sweep, which is bent along it though there is a
+    /// step's room left (03, 4.6), and nearer than 0.2 m a place that is not got nearer to counts as reached (09, 3.2, step 5, and 6.4 d).
     /// </summary>
-    internal bool IsAStepApart =>
-        OverGround <= NetworkFigures.RestLimit && Math.Abs(Height) is > NetworkFigures.RestLimit and <= MostStep;
-
-    /// <summary>
-    /// The way was blocked, by the edge of a step as a rule: nearer than 0.2 m a place that is not got nearer to counts as reached
-    /// (specification 09, 3.2, step 5, and 6.4 d).
-    /// </summary>
-    internal bool IsGivenUp => !IsAStepApart && Distance is > NetworkFigures.RestLimit and < QuietLimit;
-
-    /// <summary>
-    /// It is on its way: places are followed in the order in which they were told, and none in the air. Who had not got to where it took
-    /// off goes back there when it has landed, and only then to where it is to be (specification 09, 3.2 and 4.4).
-    /// </summary>
-    internal bool IsUnderWay => Follows && !IsAStepApart && Distance >= QuietLimit;
+    internal bool IsBlocked =>
+        !IsAStepApart && Distance is > NetworkFigures.RestLimit and < QuietLimit && WhenSwept > NetworkFigures.RestLimit;
 
     /// <summary>Retail's own rules have it elsewhere.</summary>
-    internal bool IsExcused => IsAStepApart || IsGivenUp || IsUnderWay;
+    internal bool IsExcused => IsAStepApart || IsBlocked;
 }
 
 /// <summary>The way of a body in its last second.</summary>

@@ -24,6 +24,9 @@ internal sealed record NetworkTrial(
 {
     /// <summary>How much the server tells others of the runner.</summary>
     internal BroadcastDetail Detail { get; init; }
+
+    /// <summary>How many times as often as a calm player's the hands change their mind.</summary>
+    internal double Pace { get; init; } = 1;
 }
 
 /// <summary>
@@ -70,7 +73,7 @@ internal sealed class NetworkRun : IMovementObserver, IAudience, IMessageReceive
         this.trial = trial;
         Simulation simulation = scene.Simulation;
         List<Position> way = [.. trial.Way.Select(place => simulation.Find(place.Place))];
-        hands = new WanderingHands(way, trial.Seed);
+        hands = new WanderingHands(way, trial.Seed, trial.Pace);
         now = simulation.Engine.Now + 1;
         simulation.Tick(now);
         runner = simulation.SpawnPlayer(trial.Way[0].Place, trial.Stats, RunnerId, options: new LocalPlayerOptions { Observer = this });
@@ -207,19 +210,30 @@ internal sealed class NetworkRun : IMovementObserver, IAudience, IMessageReceive
         offPath.Add(path.DistanceTo(place));
         if (lastReport is { } last && now - last.Arrived >= RestTime)
         {
-            bool follows = SteeredPhysicsBody.Of(drawn).IsInterpolating;
-            atRest.Add(new RestDistance(place.HorizontalDistanceTo(last.Place), place.OffsetTo(last.Place).Z, follows));
+            atRest.Add(Rest(drawn, last.Place));
             lastReport = null;
         }
 
         judged++;
         if (!query.Place(new PlaceInput(mover, place, Slides: false)).Found)
         {
-            if (faces.Touches(drawn)) inSolid.Add(FormattableString.Invariant($"{now - start:0.00} s at {place}"));
-            else withoutFaces++;
+            bool touches = faces.Touches(drawn);
+            string how = touches ? "touching a face" : "in a leaf marked solid, touching no face";
+            inSolid.Add(FormattableString.Invariant($"{now - start:0.00} s at {place}, {how}"));
+            if (!touches) withoutFaces++;
         }
 
         if (onlooker.Position.DistanceTo(place) > Sight) onlooker.SetPositionSimple(place, sliding: true);
+    }
+
+    /// <summary>How far a body is from where it was told to be, and what retail's placement and sweep would make of that.</summary>
+    private RestDistance Rest(PhysicsBody drawn, in Position told)
+    {
+        Position place = drawn.Position;
+        PlaceResult put = query.Place(new PlaceInput(mover, told));
+        return new RestDistance(
+            place.DistanceTo(told), put.Found ? place.DistanceTo(put.Position) : double.MaxValue,
+            query.Sweep(drawn, told).Position.DistanceTo(told));
     }
 
     private NetworkFigures Figures()

@@ -9,7 +9,8 @@ namespace Surefoot.Tool.Network;
 /// </summary>
 /// <param name="way">Places to run to one after the other in straight lines, and back.</param>
 /// <param name="seed">Seed of everything that is left to chance.</param>
-internal sealed class WanderingHands(IReadOnlyList<Position> way, int seed)
+/// <param name="pace">How many times as often they change their mind.</param>
+internal sealed class WanderingHands(IReadOnlyList<Position> way, int seed, double pace = 1)
 {
     /// <summary>Metres from a place, over ground and in height, at which it is reached.</summary>
     private const double Near = 1.5, NearHeight = 1.0;
@@ -80,7 +81,7 @@ internal sealed class WanderingHands(IReadOnlyList<Position> way, int seed)
             18 => (false, MovementKeys.SidestepLeft, Between(0.5, 1)),
             _ => (false, MovementKeys.Back, Between(0.5, 1)),
         };
-        whimUntil = now + seconds;
+        whimUntil = now + (seconds / pace);
         lookAt = now;
     }
 
