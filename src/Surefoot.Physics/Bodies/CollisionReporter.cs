@@ -9,6 +9,10 @@ namespace Surefoot.Physics.Bodies;
 internal sealed class CollisionReporter(PhysicsBody body)
 {
     private const double CollisionRecordLife = 1.0;
+
+    /// <summary>Who stands in a crowd touches as many: room for them at once, so that no record is allocated in a step.</summary>
+    private const int Room = 8;
+
     private const PhysicsState MissileBits = PhysicsState.Missile | PhysicsState.AlignPath | PhysicsState.PathClipped;
 
     private Dictionary<uint, CollisionRecord>? touching;
@@ -45,7 +49,7 @@ internal sealed class CollisionReporter(PhysicsBody body)
     private bool Track(WorldObject other, bool hadContact, double simulatedTime)
     {
         if (other.State.Has(PhysicsState.Static)) return ReportEnvironment(hadContact);
-        touching ??= [];
+        touching ??= new Dictionary<uint, CollisionRecord>(Room);
         bool known = touching.ContainsKey(other.Id);
         touching[other.Id] = new CollisionRecord(simulatedTime, other.State.Has(PhysicsState.Ethereal));
         return !known && ReportObject(other, hadContact);
@@ -116,7 +120,7 @@ internal sealed class CollisionReporter(PhysicsBody body)
     internal void ReportEnd(double simulatedTime, bool force)
     {
         if (touching is null || touching.Count == 0) return;
-        ended ??= [];
+        ended ??= new List<uint>(Room);
         // Whoever is told of an end may hide or remove the body, which ends the rest from within: each call does its own part of the list.
         int first = ended.Count;
         foreach ((uint id, CollisionRecord record) in touching)

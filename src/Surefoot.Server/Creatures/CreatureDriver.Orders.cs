@@ -14,9 +14,11 @@ public sealed partial class CreatureDriver
     /// <summary>Goes about the goal: the body is ordered as clients will order theirs when they hear of it.</summary>
     private void Begin()
     {
+        outrunFrom = Gap(Sought) + options.FollowSlack;
         Progress = CreatureProgress.Moving;
         Body.SetActive(true);
         MovementData order = OrderOf(Sought);
+        goesByItself = order.Type != MovementType.InterpretedMotion;
         Obey(order);
         listener.OnMotion(this, messages.Motion(order));
         // Who takes hold again has not been anywhere.
@@ -38,7 +40,7 @@ public sealed partial class CreatureDriver
     private MoveToParams Way(in Position sought)
     {
         MovementFlags flags = MovementFlags.Default;
-        if (options.WalkWithin == 0 || Goal == CreatureGoal.Flee) flags |= MovementFlags.CanCharge;
+        if (options.WalkWithin == 0 || charges || Goal == CreatureGoal.Flee) flags |= MovementFlags.CanCharge;
         if (Goal == CreatureGoal.Flee) flags = (flags & ~MovementFlags.MoveTowards) | MovementFlags.MoveAway;
         if (Goal == CreatureGoal.Stick) flags |= MovementFlags.Sticky;
         if (Goal == CreatureGoal.Home) flags |= MovementFlags.UseFinalHeading;
@@ -103,6 +105,13 @@ public sealed partial class CreatureDriver
             _ => gap > options.Reach + options.FollowSlack,
         };
     }
+
+    /// <summary>
+    /// What it walks after gets away from it. Walking or running is chosen once, when a move begins (specification 09b, 4.2), so that
+    /// another order is needed: one to run whatever the distance.
+    /// </summary>
+    private bool IsOutrun() =>
+        !charges && Goal is CreatureGoal.Object or CreatureGoal.Follow or CreatureGoal.Stick && Gap(Sought) > outrunFrom;
 
     /// <summary>Metres from surface to surface.</summary>
     private double Gap(in Position sought) =>

@@ -24,7 +24,8 @@ public sealed partial class CreatureDriver
     private Position place = Position.Nowhere;
     private float heading;
     private double tellAt;
-    private bool hasArrived;
+    private double outrunFrom;
+    private bool hasArrived, goesByItself, charges;
 
     /// <summary>A driver of a body. Its home is where the body is.</summary>
     /// <param name="engine">The world.</param>
@@ -155,8 +156,9 @@ public sealed partial class CreatureDriver
         if (movement.IsMovingTo)
         {
             if (watch.IsStuck(now, movement.MotionsPending)) Park(now);
+            else if (IsOutrun()) Charge();
         }
-        else if (movement.LastMoveToError is not MotionError.None and var error)
+        else if (goesByItself && movement.LastMoveToError is not MotionError.None and var error)
         {
             GiveUp(error);
         }
@@ -178,12 +180,20 @@ public sealed partial class CreatureDriver
     {
         TellPosition(now);
         watch.Forget();
+        // Whoever stands is walked up to again.
+        if (engine.Find(TargetId) is not PhysicsBody { AchievedVelocity: var velocity } || velocity == Vector3.Zero) charges = false;
         bool again = hasArrived && Goal == CreatureGoal.Stick;
         hasArrived = true;
         bool goesOn = Goal is CreatureGoal.Follow or CreatureGoal.Stick or CreatureGoal.Flee;
         Progress = goesOn ? CreatureProgress.Watching : CreatureProgress.Idle;
         if (!goesOn) (Goal, TargetId) = (CreatureGoal.None, 0);
         if (!again) listener.OnArrived(this);
+    }
+
+    private void Charge()
+    {
+        charges = true;
+        Begin();
     }
 
     private void GiveUp(MotionError error)
@@ -227,7 +237,7 @@ public sealed partial class CreatureDriver
 
     private void Aim(CreatureGoal goal, uint id, in Position where, float degrees)
     {
-        (Goal, TargetId, place, heading, hasArrived) = (goal, id, where, degrees, false);
+        (Goal, TargetId, place, heading, hasArrived, charges) = (goal, id, where, degrees, false, false);
         watch.Forget();
         Begin();
     }

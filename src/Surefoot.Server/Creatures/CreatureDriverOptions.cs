@@ -56,7 +56,10 @@ public sealed record CreatureDriverOptions
     /// <summary>How near it comes to an object or a place, metres from surface to surface.</summary>
     public float Reach { get; init; } = 0.6f;
 
-    /// <summary>Distance below which it walks, metres; 0 for one that always runs. Who flees runs in any case.</summary>
+    /// <summary>
+    /// Distance below which it walks, metres; 0 for one that always runs. Who flees runs in any case, and so does one from whom a walk after
+    /// its target gains nothing: farther by <see cref="FollowSlack"/> than when it began.
+    /// </summary>
     public float WalkWithin { get; init; } = 15f;
 
     /// <summary>How much farther than its reach what it follows, or sticks to, may get before it goes after it, metres.</summary>

@@ -97,6 +97,33 @@ public sealed class CreatureGoalTests(DemoGround ground) : IClassFixture<DemoGro
         Assert.Equal((CreatureGoal.Follow, CreatureProgress.Watching), (f.Driver.Goal, f.Driver.Progress));
     }
 
+    [Fact, Behaviour("creature.follow.runner", "spec/09b, 4.2: CanCharge runs whatever the distance; the key is chosen when a move begins")]
+    public void A_creature_runs_after_one_who_runs_away_and_walks_to_one_who_stands()
+    {
+        CreatureFixture f = new(ground, Meadow, options: new CreatureDriverOptions { RunRate = 2 });
+        PhysicsBody target = f.SpawnTarget(DemoGround.At(Meadow, ahead: 3));
+        Assert.True(f.Driver!.Follow(CreatureFixture.TargetId));
+        f.RunUntil(() => f.Told.Count == 1, limit: 6);
+        Assert.All(f.Motions, m => Assert.False(Charges(m.Message)));
+
+        f.Engine.MovementOf(target)!.ApplyUpdate(
+            new InterpretedMotionState { ForwardCommand = MotionCommand.RunForward, ForwardSpeed = 1.5f }, autonomous: false);
+        f.Run(6);
+        Assert.Contains(f.Motions, m => Charges(m.Message));
+        // Three quarters as fast as the creature can run: it is never left behind by more than it may be, and by what it took to notice.
+        Assert.InRange(f.GapTo(target), 0, 0.6 + 1 + 1 + 2);
+        Assert.InRange(f.Body.Position.DistanceTo(f.Driver.Home), 20, 60);
+
+        f.Engine.MovementOf(target)!.ApplyUpdate(new InterpretedMotionState(), autonomous: false);
+        f.Run(4);
+        f.Motions.Clear();
+        target.SetPositionSimple(DemoGround.At(Meadow, ahead: 3 + (float)f.Body.Position.DistanceTo(f.Driver.Home)), sliding: true);
+        f.Run(0.2);
+        Assert.DoesNotContain(f.Motions, m => Charges(m.Message));
+
+        static bool Charges(in UpdateMotion order) => (order.Movement.Parameters.Bits & (uint)MovementFlags.CanCharge) != 0;
+    }
+
     [Fact, Behaviour("creature.stick", "spec/09, 3.3: 0.3 m from surface to surface, for a second at a time")]
     public void A_creature_sticks_to_an_object_and_stays_with_it()
     {

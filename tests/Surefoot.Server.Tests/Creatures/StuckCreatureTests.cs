@@ -79,6 +79,22 @@ public sealed class StuckCreatureTests(DemoGround ground) : IClassFixture<DemoGr
         Assert.Equal(["stuck", "tries again", "arrived"], f.Told);
     }
 
+    [Fact, Behaviour("creature.stuck.target-beside-it", "design, server operator: wakes when something changes")]
+    public void A_creature_that_was_stuck_takes_hold_of_a_target_that_comes_right_beside_it()
+    {
+        CreatureFixture f = new(ground, House, BesideTheDoor);
+        PhysicsBody target = f.SpawnTarget(DemoGround.At(House, BesideTheDoor, InTheHouse));
+        Assert.True(f.Driver!.StickTo(CreatureFixture.TargetId));
+        f.RunUntil(() => f.Told.Contains("stuck"), limit: 6);
+        f.Run(1);
+        Position here = f.Body.Position;
+        here.Frame.Origin.Y -= 1.5f;
+        target.SetPositionSimple(here, sliding: true);
+        f.RunUntil(() => f.Told.Contains("arrived"), limit: 6);
+        Assert.Equal(["stuck", "tries again", "arrived"], f.Told);
+        Assert.Equal(CreatureFixture.TargetId, f.Body.StickyObjectId);
+    }
+
     [Fact, Behaviour("creature.stuck.waits-longer", "design, server operator: servers burn their time on creatures pressed against walls")]
     public void A_creature_that_is_stuck_again_and_again_tries_less_and_less_often()
     {
