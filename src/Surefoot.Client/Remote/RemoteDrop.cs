@@ -30,7 +30,9 @@ public enum RemoteDrop
     /// <summary>The holder has no such holding location, or would hold itself.</summary>
     NotHeld,
 
-    /// <summary>It would delete the local player, or make a body that is there already without being one of these objects.</summary>
+    /// <summary>
+    /// It would delete the local player or put it into a hand, or make a body that is there already without being one of these objects.
+    /// </summary>
     NotOurs,
 }
 

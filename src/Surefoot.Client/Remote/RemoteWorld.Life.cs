@@ -128,8 +128,18 @@ public sealed partial class RemoteWorld
             else Drops.Add(RemoteDrop.BadValue);
         }
 
-        if (physics.Friction is { } friction) body.SetFriction(friction);
-        if (physics.Elasticity is { } elasticity && !float.IsNaN(elasticity)) body.SetElasticity(elasticity);
+        if (physics.Friction is { } friction)
+        {
+            if (float.IsFinite(friction)) body.SetFriction(friction);
+            else Drops.Add(RemoteDrop.BadValue);
+        }
+
+        if (physics.Elasticity is { } elasticity)
+        {
+            if (float.IsFinite(elasticity)) body.SetElasticity(elasticity);
+            else Drops.Add(RemoteDrop.BadValue);
+        }
+
         Vector3 velocity = physics.Velocity ?? default, omega = physics.Omega ?? default;
         if (WireForms.IsVector(velocity) && WireForms.IsVector(omega))
         {

@@ -277,7 +277,7 @@ public sealed partial class RemoteWorld : IMessageReceiver
         InstanceAge age = AgeOfHolder(link.Parent, link.ParentInstance);
         if (age == InstanceAge.Ahead || link.Child == player)
         {
-            if (age == InstanceAge.Ahead) Drops.Add(RemoteDrop.LaterLife);
+            Drops.Add(age == InstanceAge.Ahead ? RemoteDrop.LaterLife : RemoteDrop.NotOurs);
             return;
         }
 

@@ -50,7 +50,7 @@ internal static class NetworkCommand
         };
         Option<double> pace = new("--pace")
         {
-            Description = "How many times as often the hands change their mind: with 1 every 0.3 to 8 seconds, and they jump every 45.",
+            Description = "How many times as often the hands change their mind: with 1 every 0.3 to 8 seconds, and they jump every 40.",
             DefaultValueFactory = _ => 1,
         };
         Option<bool> json = new("--json") { Description = "Print one JSON object." };

@@ -2,6 +2,7 @@ using System.Numerics;
 using CsCheck;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
+using Surefoot.Physics.Motion;
 using Surefoot.Physics.Tests.Transitions;
 using Surefoot.Physics.World;
 using Surefoot.Protocol.Messages;
@@ -155,26 +156,49 @@ public class RemoteBoundsTests
             },
         });
         Assert.Equal((1f, 0.95f, 0.05f, Vector3.Zero), (f.Body.Scale, f.Body.Friction, f.Body.Elasticity, f.Body.Velocity));
-        Assert.Equal(3, f.Remote.Drops[RemoteDrop.BadValue]);
+        // The scale, the friction, the elasticity, the velocity and the motion, each for itself.
+        Assert.Equal(5, f.Remote.Drops[RemoteDrop.BadValue]);
         f.Say(new CreateObject(Describe(0, Start)));
         f.Say(PositionOf(Start, 1, guid: 0));
-        Assert.Equal((5L, 0), (f.Remote.Drops[RemoteDrop.BadValue], f.Remote.AwaitedCount));
+        Assert.Equal((7L, 0), (f.Remote.Drops[RemoteDrop.BadValue], f.Remote.AwaitedCount));
         foreach (float scale in (float[])[0, -1, float.NaN, 1e-6f])
             f.Say(new UpdateObject(described with { Physics = described.Physics with { Scale = scale } }));
-        Assert.Equal((9L, 1f), (f.Remote.Drops[RemoteDrop.BadValue], f.Body.Scale));
+        Assert.Equal((11L, 1f), (f.Remote.Drops[RemoteDrop.BadValue], f.Body.Scale));
     }
 
     [Fact]
-    [Behaviour("remote.motion.target-is-itself", "spec/09b, 6.3; spec/09, 3.3")]
-    public void A_body_that_is_sent_to_itself_stands()
+    [Behaviour("remote.motion.target-is-itself", "spec/09b, 6.3: top = own id, CleanUp and StopCompletely")]
+    public void A_body_that_is_sent_to_itself_stands_where_it_is()
     {
         RemoteFixture f = new();
         f.CreateStanding();
-        f.Say(MotionOf(1, 1, MovementData.MoveToObject(NonCombat, One, StubWorld.CellId, Start, Way, 1)));
-        f.Say(MotionOf(2, 2, MovementData.Motion(NonCombat, new WireInterpretedMotion(), stickTo: One)));
-        f.Frames(60);
-        Assert.Equal(Start.Y, f.Origin.Y, 1f);
+        Position before = f.Body.Position;
+        f.Say(MotionOf(1, 1, Run()));
+        f.Say(MotionOf(2, 2, MovementData.MoveToObject(NonCombat, One, StubWorld.CellId, Start, Way, 1)));
         Assert.False(f.Body.IsMovingTo);
+        Assert.Equal(MotionCommand.Ready, f.Motion.ForwardCommand);
+        f.Frames(60);
+        Assert.Equal(before, f.Body.Position);
+        AssertValid(f);
+    }
+
+    [Fact]
+    [Behaviour("remote.motion.sticks-to-itself", "spec/09, 3.3 and 6.6: a null vector has no length and the heading 0; one second")]
+    public void A_body_that_is_to_stick_to_itself_stays_where_it_is_faces_north_and_lets_go_after_a_second()
+    {
+        RemoteFixture f = new();
+        f.CreateStanding();
+        f.Body.SetHeading(90);
+        Vector3 before = f.Origin;
+        f.Say(MotionOf(1, 1, MovementData.Motion(NonCombat, new WireInterpretedMotion(), stickTo: One)));
+        Assert.Equal(One, f.Body.StickyObjectId);
+        f.Frames(1);
+        Assert.Equal(0, f.Body.Position.Frame.Heading, 1e-3);
+        f.Frames(28);
+        Assert.Equal(One, f.Body.StickyObjectId);
+        f.Frames(3);
+        Assert.Equal(0u, f.Body.StickyObjectId);
+        Assert.Equal(before, f.Origin);
         AssertValid(f);
     }
 

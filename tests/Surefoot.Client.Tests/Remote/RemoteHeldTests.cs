@@ -71,6 +71,17 @@ public class RemoteHeldTests
     }
 
     [Fact]
+    [Behaviour("remote.parent.the-player", "design, bad input: counted by reason")]
+    public void Nobody_takes_the_player_into_its_hand()
+    {
+        RemoteFixture f = new();
+        f.CreateStanding();
+        f.Say(new ParentEvent(One, PlayerId, Hand, 0, 1, 1));
+        Assert.Equal((1L, 1L), (f.Remote.Drops[RemoteDrop.NotOurs], f.Remote.Drops.Total));
+        Assert.Null(f.Engine.Find(PlayerId)!.Parent);
+    }
+
+    [Fact]
     [Behaviour("remote.parent.refused", "spec/09, 5.11; design, decision 7")]
     public void A_location_that_there_is_not_and_a_ring_are_counted_and_change_nothing()
     {

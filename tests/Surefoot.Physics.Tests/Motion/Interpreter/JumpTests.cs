@@ -177,4 +177,20 @@ public class JumpTests
         crouching.DoMotion(MotionCommand.Crouch, Defaults);
         Assert.Equal(MotionError.CannotJumpFromThisPosition, crouching.ChargeJump());
     }
+
+    [Theory]
+    [Behaviour("motion.jump.charge-refused-by-pose", "spec/01, 4.12: Fallen, or Crouch to Sleeping; CMotionInterp::charge_jump @0x005281C0")]
+    [InlineData(0x41000011, true)]
+    [InlineData(0x41000012, false)]
+    [InlineData(0x41000013, false)]
+    [InlineData(0x41000014, false)]
+    [InlineData(0x40000008, false)]
+    [InlineData(0x41000003, true)]
+    public void Who_crouches_sits_sleeps_or_has_fallen_does_not_charge(uint forward, bool charges)
+    {
+        (_, MotionInterpreter interpreter) = FakeBody.Standing(FakeBody.Player());
+        interpreter.Interpreted.ForwardCommand = (MotionCommand)forward;
+        Assert.Equal(charges ? MotionError.None : MotionError.CannotJumpFromThisPosition, interpreter.ChargeJump());
+        Assert.Equal(forward == (uint)MotionCommand.Ready, interpreter.StandingLongJump);
+    }
 }

@@ -7,12 +7,16 @@ namespace Surefoot.Physics.Tests.Motion;
 public class WorldAndErrorTests
 {
     [Theory]
-    [Behaviour("motion.errors.numbers", "spec/01, 3: errors; 09, 3.3 and 5.3; 01b, 3")]
+    [Behaviour("motion.errors.numbers", "spec/01, 3: errors; 09, 3.3 and 5.3; 09b, 6.7; 01b, 3")]
     [InlineData(0x00, "None")]
     [InlineData(0x07, "NoAnimationTable")]
     [InlineData(0x08, "NoBody")]
+    [InlineData(0x0B, "NoInterpreter")]
     [InlineData(0x24, "NotOnGround")]
     [InlineData(0x36, "Cancelled")]
+    [InlineData(0x37, "TargetGone")]
+    [InlineData(0x38, "NoTarget")]
+    [InlineData(0x3D, "ChargedTooFar")]
     [InlineData(0x3F, "NoCrouchInCombat")]
     [InlineData(0x40, "NoSitInCombat")]
     [InlineData(0x41, "NoSleepInCombat")]
