@@ -58,7 +58,8 @@ public sealed class DemoGround : IDisposable
     internal PhysicsBody Spawn(PhysicsEngine engine, uint id, in Position place)
     {
         PhysicsBody body = engine.CreateBody(
-            id, Human, PhysicsState.Default, WeenieTraits.Present | WeenieTraits.Creature, motions: new BodyMotions(Motions, new OtherWeenie()));
+            id, Human, PhysicsState.Default, WeenieTraits.Present | WeenieTraits.Creature,
+            motions: new BodyMotions(Motions, new OtherWeenie()));
         Assert.True(body.EnterWorld(place));
         return body;
     }

@@ -159,7 +159,7 @@ public class PlayerBroadcastTests
     }
 
     [Fact]
-    [Behaviour("broadcast.full.take-off", "BroadcastDetail.Full; spec/09, 3.2 and 5.3: no place is followed in the air, what came before is first after it")]
+    [Behaviour("broadcast.full.take-off", "BroadcastDetail.Full; spec/09, 3.2, 4.4 and 5.3")]
     public void In_full_a_take_off_leaves_no_place_to_go_back_to()
     {
         PlayerBroadcast full = Full();

@@ -28,7 +28,8 @@ public sealed partial class PhysicsBody
         double reach = (double)Radius + radius;
         Sphere around = new(Position.Frame.Origin + new Vector3(0, 0, Radius), (float)reach);
         ObjCell? home = null;
-        population.Cells.FindCellList(reached ??= new CellArray(), Position, new ReadOnlySpan<Sphere>(in around), wantHome: false, ref home);
+        reached ??= new CellArray();
+        population.Cells.FindCellList(reached, Position, new ReadOnlySpan<Sphere>(in around), wantHome: false, ref home);
         for (int i = 0; i < reached.Count; i++)
         {
             if (reached[i].Cell is not { } cell) continue;

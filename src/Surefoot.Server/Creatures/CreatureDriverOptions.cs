@@ -57,8 +57,8 @@ public sealed record CreatureDriverOptions
     public float Reach { get; init; } = 0.6f;
 
     /// <summary>
-    /// Distance below which it walks, metres; 0 for one that always runs. Who flees runs in any case, and so does one from whom a walk after
-    /// its target gains nothing: farther by <see cref="FollowSlack"/> than when it began.
+    /// Distance below which it walks, metres; 0 for one that always runs. Who flees runs in any case, and so does one that is outrun: its
+    /// target is farther by <see cref="FollowSlack"/> than when the walk began.
     /// </summary>
     public float WalkWithin { get; init; } = 15f;
 

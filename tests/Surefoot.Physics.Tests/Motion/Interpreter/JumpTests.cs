@@ -179,7 +179,7 @@ public class JumpTests
     }
 
     [Theory]
-    [Behaviour("motion.jump.charge-refused-by-pose", "spec/01, 4.12: Fallen, or Crouch to Sleeping; CMotionInterp::charge_jump @0x005281C0")]
+    [Behaviour("motion.jump.charge-refused-by-pose", "spec/01, 4.12; CMotionInterp::charge_jump @0x005281C0")]
     [InlineData(0x41000011, true)]
     [InlineData(0x41000012, false)]
     [InlineData(0x41000013, false)]
