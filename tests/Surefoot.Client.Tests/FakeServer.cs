@@ -12,6 +12,11 @@ internal sealed class FakeServer : IServerLink
     /// <summary>Bytes of what the client sent.</summary>
     internal List<byte[]> Sent { get; } = [];
 
+    /// <summary>Objects that the client asked for.</summary>
+    internal List<uint> Requested { get; } = [];
+
+    public void RequestObject(uint guid, double now) => Requested.Add(guid);
+
     public void Send<T>(in T action, double now)
         where T : IGameAction<T>
     {

@@ -62,7 +62,8 @@ internal sealed class CrossCells(PhysicsWorld world)
         Cells.Clear();
         if (item.Cell is null) return;
         Cells.Add(item.Cell.Id, item.Cell);
-        ReadOnlySpan<PartExtent> extents = parts.AsSpan(0, CollectParts(item));
+        int count = CollectParts(item);
+        ReadOnlySpan<PartExtent> extents = parts.AsSpan(0, count);
         for (int k = 0; k < Cells.Count; k++) Cells[k].Cell?.FindTransitCells(world, extents, Cells);
     }
 
