@@ -1,3 +1,4 @@
+using System.Net;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.World;
 using Surefoot.Protocol.Messages;
@@ -11,10 +12,10 @@ internal sealed class OnlinePlayer : ISessionHandler, IMovementObserver, IDispos
     private readonly List<byte[]> messages = [];
     private readonly PhysicsDataCache assets;
 
-    internal OnlinePlayer(IGameServer server, PhysicsDataCache assets, ClientSessionOptions options)
+    internal OnlinePlayer(IPEndPoint server, PhysicsDataCache assets, ClientSessionOptions options)
     {
         this.assets = assets;
-        Session = new WorldSession(server.Address, options);
+        Session = new WorldSession(server, options);
     }
 
     internal WorldSession Session { get; }
@@ -33,7 +34,9 @@ internal sealed class OnlinePlayer : ISessionHandler, IMovementObserver, IDispos
     /// <summary>What was sent, in words: moves, jumps, places.</summary>
     internal List<object> Sent { get; } = [];
 
-    /// <summary>Time, keys and place of each frame since <see cref="Record"/>; null while nobody records.</summary>
+    /// <summary>
+    /// Time, keys and place of each frame since <see cref="Record"/>, from the first on in which bodies moved; null while nobody records.
+    /// </summary>
     internal List<Frame>? Frames { get; private set; }
 
     public void OnMessage(in WireMessage message) => messages.Add(message.Bytes.ToArray());
@@ -65,9 +68,9 @@ internal sealed class OnlinePlayer : ISessionHandler, IMovementObserver, IDispos
             return;
         }
 
-        Game.Update(Keys, now);
+        bool moved = Game.Update(Keys, now);
         Session.Flush();
-        if (Game.Player is not null) Frames?.Add(new Frame(now, Keys, Position));
+        if (Frames is { } frames && (moved || frames.Count > 0)) frames.Add(new Frame(now, Keys, Position));
     }
 
     internal void Record() => Frames = [];

@@ -1,8 +1,12 @@
 using System.Globalization;
 using System.Numerics;
+using Surefoot.Physics;
+using Surefoot.Physics.Assets;
+using Surefoot.Physics.Motion;
 using Surefoot.Physics.World;
 using Surefoot.Protocol.Messages;
 using Surefoot.Protocol.Session;
+using Surefoot.Server;
 
 namespace Surefoot.Client.Tests.Peer;
 
@@ -63,6 +67,39 @@ public abstract partial class ServerSuite
         AutonomousPosition confirmed = Assert.IsType<AutonomousPosition>(player.Sent[sent]);
         Assert.Equal(1, confirmed.Stamps.ForcePosition);
         AssertAgreed(player);
+    }
+
+    [Fact]
+    [Behaviour("client.server.same-bits-offline", "design.md, decision 5: the same inputs give the same bits")]
+    public void The_same_keys_at_the_same_times_without_a_server_give_the_same_places_bit_for_bit()
+    {
+        using Party party = new(server);
+        OnlinePlayer player = party.Enter();
+        CharacterStats stats = player.Player.Weenie.Stats;
+        player.Record();
+        party.Wait(0.3);
+        party.Walk(player, "W 1.5; W+A 0.7; W+Space 0.5; W 0.8; Q 0.5; Shift+W 0.6; D 0.3; S 0.5; Space 0.2; Wait 1");
+        OnlinePlayer.Frame[] frames = [.. player.Frames!];
+        Assert.True(Apart(frames[0].Position, frames[^1].Position) > 5, "it did not run");
+
+        PhysicsEngine engine = new(party.Assets);
+        engine.World.EnsureLoadedAround(frames[0].Position, 2);
+        engine.Tick(frames[0].Now);
+        SetupAsset human = party.Assets.GetSetup(0x02000001);
+        LocalPlayer offline = LocalPlayer.Spawn(
+            engine, 1, human, MotionTableLoader.LoadFor(party.Assets.Source, human), frames[0].Position,
+            new LoopbackServer(1, stats, frames[0].Now))!;
+        engine.Player = offline.Body;
+        int same = 0;
+        foreach (OnlinePlayer.Frame frame in frames)
+        {
+            if (frame != frames[0]) engine.Tick(frame.Now);
+            offline.Update(frame.Keys, frame.Now);
+            if (offline.Body.Position != frame.Position) break;
+            same++;
+        }
+
+        Assert.Equal(frames.Length, same);
     }
 
     [Fact]
