@@ -1,4 +1,8 @@
 using System.CommandLine;
+using System.Globalization;
+using System.Net;
+using System.Net.Sockets;
+using Surefoot.Physics.Motion;
 using Surefoot.Server;
 using Surefoot.Tool.Serving;
 
@@ -7,31 +11,103 @@ namespace Surefoot.Tool.Commands;
 /// <summary><c>surefoot serve</c>: a server for clients of the field.</summary>
 internal static class ServeCommand
 {
+    /// <summary>How the line begins that says where the server is.</summary>
+    internal const string Opened = "Surefoot server";
+
+    private const int MostLoad = 1000, MostSkill = 10_000, LoadAttribute = 10;
+
     internal static Command Create()
     {
-        Option<int> port = new("--port") { Description = "The first port; the next one is used too.", DefaultValueFactory = _ => 9000 };
-        Option<DirectoryInfo?> dats = CommonOptions.Dats();
-        Option<string?> start = new("--start") { Description = "Place of the demo world where new characters begin." };
-        Command command = new("serve", "Serves a world to clients of the field.\n\nExample:\n  surefoot serve --port 9000 --stats")
+        ServeOptions options = new();
+        Command command = new("serve",
+            "Serves a world to clients of the field, for tests, demos and load: characters, movement, doors, creatures; no fights, no things. " +
+            "On this machine alone, accounts are made at their first login; elsewhere --accounts is needed. Exit code 1 when a port is " +
+            "taken, a file cannot be read, or a client of --load failed.\n\n" +
+            "Example:\n" +
+            "  surefoot serve --port 9000 --stats\n" +
+            "  surefoot serve --address 0.0.0.0 --accounts accounts.json --metrics 9100\n" +
+            "  surefoot serve --load 200 --minutes 10 --stats --json")
         {
-            port, dats, start,
+            ServeAccountCommand.Create(),
         };
-        command.SetAction((parsed, cancellation) =>
-        {
-            using ServedWorld world = ServedWorld.Open(parsed.GetValue(dats), parsed.GetValue(start));
-            using WorldServer server = new(world.Cache, new WorldServerOptions
-            {
-                Port = parsed.GetValue(port),
-                Start = world.Start,
-                Spawns = world.Spawns,
-                RunSkill = 200,
-                JumpSkill = 200,
-                Log = CommonOptions.Say,
-            });
-            Console.Out.WriteLine($"world is open on {server.EndPoint} and {server.EndPoint.Port + 1}  (Ctrl+C ends it)");
-            server.Run(cancellation);
-            return Task.FromResult(ExitCode.Done);
-        });
+        options.AddTo(command);
+        command.SetAction((parsed, cancellation) => Task.FromResult(Run(options, parsed, cancellation)));
         return command;
+    }
+
+    private static int Run(ServeOptions options, ParseResult parsed, CancellationToken cancellation)
+    {
+        int load = ServeOptions.Between(parsed, options.Load, 0, MostLoad, "--load 200");
+        double minutes = parsed.GetValue(options.Minutes) ?? double.PositiveInfinity;
+        if (!(minutes > 0)) throw new UsageException("--minutes is more than 0, for example --minutes 10.");
+        bool stats = parsed.GetValue(options.Stats), json = parsed.GetValue(options.Json);
+        WorldServerOptions wanted = Read(options, parsed, load, stats);
+        using ServedWorld world = ServedWorld.Open(parsed.GetValue(options.Dats), parsed.GetValue(options.Start));
+        using WorldServer server = Open(world, wanted with { Start = world.Start, Spawns = world.Spawns });
+        using MetricsPage? page = parsed.GetValue(options.Metrics) is { } port and > 0 ? new MetricsPage(port) : null;
+        (json ? Console.Error : Console.Out).WriteLine(
+            $"{Opened}: {server.EndPoint} and {server.EndPoint.Port + 1}" +
+            (page is null ? "" : $", metrics at {page.Address}") + "  (Ctrl+C ends it)");
+        using CancellationTokenSource ends = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
+        if (double.IsFinite(minutes)) ends.CancelAfter(TimeSpan.FromMinutes(Math.Min(minutes, 100_000)));
+        CharacterStats character = new(
+            Math.Max(wanted.RunSkill ?? 0, LoadAttribute), Math.Max(wanted.JumpSkill ?? 0, LoadAttribute), LoadAttribute, LoadAttribute);
+        using LoadRun? clients = load == 0 ? null : new LoadRun(world, server.EndPoint, load, character);
+        ServerReport report = new(server, clients);
+        using ServerWatch? watch = stats ? new ServerWatch(report, json, parsed.GetValue(options.Every)) : null;
+        server.Run(ends.Token);
+        watch?.Dispose();
+        clients?.Dispose();
+        if (stats && json) Console.Out.WriteLine(report.ToJson());
+        if (clients is not { Failed: > 0 }) return ExitCode.Done;
+        CommonOptions.Say($"{clients.Failed} clients failed; the first: {clients.FirstFailure}");
+        return ExitCode.Failed;
+    }
+
+    private static WorldServerOptions Read(ServeOptions options, ParseResult parsed, int load, bool stats)
+    {
+        string text = parsed.GetRequiredValue(options.Address);
+        if (!IPAddress.TryParse(text, out IPAddress? address))
+            throw new UsageException($"--address {text} is no address of this machine, for example --address 127.0.0.1.");
+        string? accounts = parsed.GetValue(options.Accounts);
+        if (accounts is null && !IPAddress.IsLoopback(address))
+            throw new UsageException("--address of a network needs --accounts FILE; 'surefoot serve account --help' says how to make one.");
+        if (accounts is not null && load > 0) throw new UsageException("--load makes its own accounts: leave --accounts away.");
+        bool administrators = parsed.GetValue(options.Administrators);
+        return new WorldServerOptions
+        {
+            Address = address,
+            Port = ServeOptions.Between(parsed, options.Port, 0, IPEndPoint.MaxPort - 1, "--port 9000"),
+            WorldName = parsed.GetRequiredValue(options.Name),
+            Slots = Math.Max(ServeOptions.Between(parsed, options.Slots, 1, ushort.MaxValue, "--slots 256"), load == 0 ? 0 : load + 8),
+            MostPerAddress = ServeOptions.Between(parsed, options.PerAddress, 0, ushort.MaxValue, "--per-address 8"),
+            LoginsPerSecond = ServeOptions.Between(parsed, options.LoginRate, 1, 10_000, "--login-rate 20"),
+            RunSkill = ServeOptions.Between(parsed, options.RunSkill, 0, MostSkill, "--run 200"),
+            JumpSkill = ServeOptions.Between(parsed, options.JumpSkill, 0, MostSkill, "--jump 200"),
+            Authority = parsed.GetValue(options.Believe) ? null : new AuthorityOptions(),
+            Detail = parsed.GetValue(options.Live) ? BroadcastDetail.Live : BroadcastDetail.Full,
+            Commands = administrators || !IPAddress.IsLoopback(address) ? CommandRights.Administrators : CommandRights.Everybody,
+            Accounts = accounts is null ? null : AccountFile.Read(accounts),
+            CharacterFile = parsed.GetValue(options.Characters),
+            Log = stats || parsed.GetValue(options.Quiet) ? null : CommonOptions.Say,
+            Start = default,
+        };
+    }
+
+    private static WorldServer Open(ServedWorld world, WorldServerOptions options)
+    {
+        try
+        {
+            return new WorldServer(world.Cache, options);
+        }
+        catch (SocketException error)
+        {
+            throw new IOException(
+                string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"The server cannot open the ports {options.Port} and {options.Port + 1} of {options.Address}: {error.Message}. " +
+                    $"Is one running already? --port chooses others."),
+                error);
+        }
     }
 }

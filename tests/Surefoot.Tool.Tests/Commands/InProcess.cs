@@ -18,7 +18,7 @@ internal static class InProcess
     {
         TextWriter output = Console.Out, error = Console.Error;
         using CancellationTokenSource serving = new();
-        using Watch said = new("Surefoot workbench", serving);
+        using Watch said = new(["Surefoot workbench", "Surefoot server"], serving);
         using StringWriter failed = new();
         Console.SetOut(said);
         Console.SetError(failed);
@@ -38,14 +38,14 @@ internal static class InProcess
         }
     }
 
-    private sealed class Watch(string word, CancellationTokenSource source) : StringWriter
+    private sealed class Watch(string[] words, CancellationTokenSource source) : StringWriter
     {
         public override Encoding Encoding => Encoding.UTF8;
 
         public override void WriteLine(string? value)
         {
             base.WriteLine(value);
-            if (value?.StartsWith(word, StringComparison.Ordinal) == true) source.Cancel();
+            if (words.Any(word => value?.StartsWith(word, StringComparison.Ordinal) == true)) source.Cancel();
         }
     }
 }
