@@ -46,7 +46,7 @@ public sealed class ServerLink
     private readonly FragmentAssembler assembler = new();
     private readonly MessageOrder order = new();
     private readonly MessageBundles bundles = new();
-    private readonly byte[] scratch = new byte[FragmentAssembler.MostLength];
+    private byte[]? scratch;
     private double lastReceived, lastAck, lastNak, endsAt;
     private double lastClock = double.NegativeInfinity;
     private float? dueEcho;
@@ -149,7 +149,11 @@ public sealed class ServerLink
     /// <returns>False when it has no form on the wire, or there is no room for it.</returns>
     public bool Send<T>(in T message, uint guid = 0, uint stamp = 0)
         where T : IMessage<T>
-        => WireMessage.TryWrite(message, scratch, out int length, stamp, guid) && Send(scratch.AsSpan(0, length), T.Group);
+    {
+        // Who never gets so far must not cost so much.
+        scratch ??= new byte[FragmentAssembler.MostLength];
+        return WireMessage.TryWrite(message, scratch, out int length, stamp, guid) && Send(scratch.AsSpan(0, length), T.Group);
+    }
 
     /// <summary>Queues the bytes of a message.</summary>
     /// <returns>False when there is no room for it.</returns>
@@ -207,7 +211,7 @@ public sealed class ServerLink
 
     private void SendConnectRequest(double now)
     {
-        var writer = new WireWriter(scratch);
+        var writer = new WireWriter(stackalloc byte[ConnectRequest.Length]);
         new ConnectRequest(now, options.Cookie, options.NetId, options.ServerSeed, options.ClientSeed).Write(ref writer);
         channel.SendBare(PacketFlags.ConnectRequest, writer.Written, options.ServerId, TimeOf(now), ServerPort.First);
     }

@@ -32,6 +32,12 @@ internal sealed class PlayedPlayer : IMovementObserver, IDisposable
 
     internal CharacterStats Stats { get; }
 
+    /// <summary>How many messages it told.</summary>
+    internal int Told { get; private set; }
+
+    /// <summary>Is shown what it tells.</summary>
+    internal Action<object>? Hears { get; init; }
+
     internal PhysicsBody Body => player.Body;
 
     internal void Hold(MovementKeys held) => keys = held;
@@ -43,14 +49,32 @@ internal sealed class PlayedPlayer : IMovementObserver, IDisposable
         engine.Tick(now);
     }
 
-    public void OnMoveToState(in MoveToState message, double now) => client.Session.Send(message with { Stamps = client.Stamps });
-
-    public void OnJump(in Jump message, double now) => client.Session.Send(message with { Stamps = client.Stamps });
-
-    public void OnAutonomousPosition(in AutonomousPosition message, double now) =>
+    public void OnMoveToState(in MoveToState message, double now)
+    {
+        Note(message);
         client.Session.Send(message with { Stamps = client.Stamps });
+    }
+
+    public void OnJump(in Jump message, double now)
+    {
+        Note(message);
+        client.Session.Send(message with { Stamps = client.Stamps });
+    }
+
+    public void OnAutonomousPosition(in AutonomousPosition message, double now)
+    {
+        Note(message);
+        client.Session.Send(message with { Stamps = client.Stamps });
+    }
 
     public void Dispose() => engine.RemoveBody(Body);
+
+    private void Note<T>(in T message)
+        where T : struct
+    {
+        Told++;
+        Hears?.Invoke(message);
+    }
 
     private void Load(in Position place)
     {

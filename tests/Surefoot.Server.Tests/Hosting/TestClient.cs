@@ -35,10 +35,11 @@ internal sealed class TestClient : ISessionHandler, IDatagramSink
     /// <summary>What this client sends is lost.</summary>
     internal bool IsMute { get; set; }
 
-    internal NetworkQuality Quality
-    {
-        set => line.Quality = value;
-    }
+    /// <summary>It remembers nothing but what it must to play on.</summary>
+    internal bool IsForgetful { get; set; }
+
+    /// <summary>Is shown what the client sends.</summary>
+    internal Action<byte[]>? Sends { get; set; }
 
     internal Dictionary<uint, CreateObject> Objects { get; } = [];
 
@@ -119,6 +120,7 @@ internal sealed class TestClient : ISessionHandler, IDatagramSink
 
     void IDatagramSink.Send(ReadOnlySpan<byte> datagram, ServerPort port)
     {
+        Sends?.Invoke(datagram.ToArray());
         if (!IsCutOff && !IsMute) line.Send(datagram, port, toServer: true, host.Now);
     }
 
@@ -139,7 +141,8 @@ internal sealed class TestClient : ISessionHandler, IDatagramSink
 
     void IMessageReceiver.OnMessage(in WireMessage message)
     {
-        Heard.Add(message.Id);
+        if (IsForgetful && message.Id.Opcode is Opcode.UpdateMotion or Opcode.VectorUpdate) return;
+        if (!IsForgetful) Heard.Add(message.Id);
         if (message.TryRead(out CreateObject create))
         {
             Objects[create.Object.Guid] = create;
@@ -157,11 +160,14 @@ internal sealed class TestClient : ISessionHandler, IDatagramSink
         }
         else if (message.TryRead(out UpdatePosition position))
         {
-            Positions.Add(position);
+            if (!IsForgetful) Positions.Add(position);
             if (position.Guid == Id)
                 Stamps = Stamps with { Teleport = position.Pack.Teleport, ForcePosition = position.Pack.ForcePosition };
         }
-        else if (message.TryRead(out SetState state)) States.Add(state);
+        else if (message.TryRead(out SetState state))
+        {
+            if (!IsForgetful || state.Guid == Id) States.Add(state);
+        }
         else if (message.TryRead(out VectorUpdate vector)) Vectors.Add(vector);
         else if (message.TryRead(out PlayerTeleport teleport)) Teleports.Add(teleport);
         else if (message.TryRead(out UseDone done)) UsesDone.Add(done);

@@ -19,7 +19,7 @@ internal static class InProcess
         TextWriter output = Console.Out, error = Console.Error;
         using CancellationTokenSource serving = new();
         using Watch said = new(["Surefoot workbench", "Surefoot server"], serving);
-        using StringWriter failed = new();
+        using Watch failed = new(["Surefoot server"], serving);
         Console.SetOut(said);
         Console.SetError(failed);
         try

@@ -35,11 +35,13 @@ public sealed class MutatedInputTests : IDisposable
     [InlineData("sniff")]
     [InlineData("network")]
     [InlineData("authority")]
+    [InlineData("serve")]
     [InlineData("conform")]
     public async Task Damaged_files_and_wrong_words_end_in_a_sentence(string command)
     {
         Mutations mutations = new(command, folder);
-        for (int i = 0; i < Inputs; i++)
+        int inputs = command == "serve" ? Inputs / 5 : Inputs;
+        for (int i = 0; i < inputs; i++)
         {
             string[] arguments = mutations.Next(i);
             string shown = $"input {i}: surefoot {string.Join(' ', arguments)}";
@@ -118,6 +120,7 @@ internal sealed class Mutations
         }
 
         if (command == "play") words.AddRange(["--no-browser", "--port", "0"]);
+        if (command == "serve") words.AddRange(["--port", "0", "--quiet"]);
         return [.. words];
     }
 
@@ -128,6 +131,7 @@ internal sealed class Mutations
                 "--script", random.Next(2) == 0 ? "W 0.2" : "W+Space 0.1; Wait 0.1", "--at", Place(random), "--dats", world, "--run",
                 $"{random.Next(900)}", .. random.Next(3) == 0 ? ["--csv", "--quantum", $"{random.Next(200)}"] : Array.Empty<string>()],
         "play" => ["--dats", world],
+        "serve" => ["--dats", world, "--slots", $"{random.Next(300)}", "--run", $"{random.Next(900)}"],
         "dats list" => random.Next(2) == 0 ? [world] : [world, "--type", "Setup"],
         "dats show" => [world, $"{(uint)random.NextInt64(uint.MaxValue):X8}"],
         "dats verify" => [world, "--json"],

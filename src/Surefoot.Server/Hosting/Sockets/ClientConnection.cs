@@ -18,7 +18,7 @@ internal sealed class ClientConnection : IMessageReceiver, IDatagramSink
         this.transport = transport;
         Address = answers = from;
         Slot = numbers.NetId;
-        Began = server.Now;
+        Number = server.Figures.Logins;
         Link = new ServerLink(numbers, loginLength, this, server.Now);
     }
 
@@ -28,8 +28,8 @@ internal sealed class ClientConnection : IMessageReceiver, IDatagramSink
     /// <summary>Number of the session.</summary>
     public int Slot { get; }
 
-    /// <summary>When it began, seconds.</summary>
-    public double Began { get; }
+    /// <summary>How many came before it.</summary>
+    public long Number { get; }
 
     public ServerLink Link { get; }
 
@@ -48,8 +48,11 @@ internal sealed class ClientConnection : IMessageReceiver, IDatagramSink
     /// <summary>When its account hears a sign of life next while it selects a character, seconds.</summary>
     public double NextPing { get; set; }
 
-    /// <summary>Nobody knows yet that it is where its datagrams say.</summary>
+    /// <summary>Its password is checked, or its answer is waited for.</summary>
     public bool IsHalfOpen => Link.State is ServerLinkState.Verifying or ServerLinkState.AwaitingResponse;
+
+    /// <summary>It has shown that it is where its datagrams say.</summary>
+    public bool HasAnswered { get; private set; }
 
     /// <summary>It neither ends nor has ended.</summary>
     public bool IsAlive => Link.State is not (ServerLinkState.Terminating or ServerLinkState.Ended);
@@ -62,6 +65,7 @@ internal sealed class ClientConnection : IMessageReceiver, IDatagramSink
         Link.Receive(datagram, ServerPort.Second, server.Now, this);
         if (Link.State != ServerLinkState.Connected) return false;
         answers = from;
+        HasAnswered = true;
         return true;
     }
 

@@ -187,10 +187,10 @@ internal sealed class ClientTable : IDisposable
         server.Figures.Add(client.Link.Statistics);
     }
 
-    /// <summary>The lowest free slot. Strangers take no more than half of them: then the oldest of theirs gives way.</summary>
+    /// <summary>The lowest free slot. When there is none, the oldest stranger's: who has not answered gives way.</summary>
     private bool TryFindSlot(ClientAddress from, out int slot)
     {
-        (slot, int halfOpen, int fromThere) = (-1, 0, 0);
+        (slot, int fromThere) = (-1, 0);
         ClientConnection? oldest = null;
         for (int i = slots.Length - 1; i >= 0; i--)
         {
@@ -201,14 +201,11 @@ internal sealed class ClientTable : IDisposable
             }
 
             if (client.Address.Network == from.Network) fromThere++;
-            if (!client.IsHalfOpen) continue;
-            halfOpen++;
-            if (oldest is null || client.Began < oldest.Began) oldest = client;
+            if (!client.HasAnswered && (oldest is null || client.Number < oldest.Number)) oldest = client;
         }
 
         if (server.Options.MostPerAddress > 0 && fromThere >= server.Options.MostPerAddress) return false;
-        if (oldest is null || slots.Length < 2 || (halfOpen <= slots.Length / 2 && slot >= 0)) return slot >= 0;
-        if (halfOpen <= slots.Length / 2) return false;
+        if (oldest is null || slot >= 0) return slot >= 0;
         slot = oldest.Slot;
         End(oldest);
         return true;
