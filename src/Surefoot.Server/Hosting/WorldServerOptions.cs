@@ -53,7 +53,7 @@ public sealed record WorldServerOptions
     public AuthorityOptions? Authority { get; init; } = new();
 
     /// <summary>How much others are told of a player.</summary>
-    public BroadcastDetail Detail { get; init; } = BroadcastDetail.Full;
+    public BroadcastDetail Detail { get; init; } = BroadcastDetail.Live;
 
     /// <summary>Who may give commands by chat.</summary>
     public CommandRights Commands { get; init; } = CommandRights.Everybody;

@@ -20,7 +20,8 @@ internal static class ServeCommand
     {
         ServeOptions options = new();
         Command command = new("serve",
-            "Serves a world to clients of the field, for tests, demos and load: characters, movement, doors, creatures; no fights, no things. " +
+            "Serves a world to clients of the field, for tests, demos and load: characters, movement, doors, creatures; no fights, no " +
+            "things. " +
             "On this machine alone, accounts are made at their first login; elsewhere --accounts is needed. Exit code 1 when a port is " +
             "taken, a file cannot be read, or a client of --load failed.\n\n" +
             "Example:\n" +
@@ -85,7 +86,7 @@ internal static class ServeCommand
             RunSkill = ServeOptions.Between(parsed, options.RunSkill, 0, MostSkill, "--run 200"),
             JumpSkill = ServeOptions.Between(parsed, options.JumpSkill, 0, MostSkill, "--jump 200"),
             Authority = parsed.GetValue(options.Believe) ? null : new AuthorityOptions(),
-            Detail = parsed.GetValue(options.Live) ? BroadcastDetail.Live : BroadcastDetail.Full,
+            Detail = parsed.GetValue(options.Full) ? BroadcastDetail.Full : BroadcastDetail.Live,
             Commands = administrators || !IPAddress.IsLoopback(address) ? CommandRights.Administrators : CommandRights.Everybody,
             Accounts = accounts is null ? null : AccountFile.Read(accounts),
             CharacterFile = parsed.GetValue(options.Characters),

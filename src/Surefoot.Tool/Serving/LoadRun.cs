@@ -5,7 +5,8 @@ using Surefoot.Protocol.Session;
 
 namespace Surefoot.Tool.Serving;
 
-/// <summary>Many clients of a server, on a thread of their own: they log in one after the other and play until they are told to end.</summary>
+/// <summary>Many clients of a server, on a thread of their own: they log in one after the other and play until they are told to
+/// end.</summary>
 internal sealed class LoadRun : IDisposable
 {
     private const double LoginEvery = 0.06, Frame = 0.015, CourseSeconds = 40;

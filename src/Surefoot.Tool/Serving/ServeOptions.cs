@@ -67,9 +67,9 @@ internal sealed class ServeOptions
         Description = "Believe what clients claim of their movement, as live servers do, instead of judging it.",
     };
 
-    internal Option<bool> Live { get; } = new("--live")
+    internal Option<bool> Full { get; } = new("--full")
     {
-        Description = "Tell others of a player no more than live servers do: a place with a motion once a second at most.",
+        Description = "Tell others of a player more than live servers do, so that they draw it nearer to where it is.",
     };
 
     internal Option<int?> Metrics { get; } = new("--metrics")
@@ -105,7 +105,7 @@ internal sealed class ServeOptions
         foreach (Option option in (Option[])
             [
                 Port, Address, Dats, Start, Name, Accounts, Characters, Administrators, Slots, PerAddress, LoginRate, RunSkill, JumpSkill,
-                Believe, Live, Metrics, Stats, Json, Every, Quiet, Load, Minutes,
+                Believe, Full, Metrics, Stats, Json, Every, Quiet, Load, Minutes,
             ])
         {
             command.Add(option);

@@ -19,7 +19,8 @@ internal sealed class ServerWatch : IDisposable
     internal ServerWatch(ServerReport report, bool json, double every)
     {
         if (!(every >= 0))
-            throw new UsageException(string.Create(CultureInfo.InvariantCulture, $"--every {every} is not 0 or more, for example --every 10."));
+            throw new UsageException(string.Create(
+                CultureInfo.InvariantCulture, $"--every {every} is not 0 or more, for example --every 10."));
         thread = new Thread(() => Run(report, json, every)) { IsBackground = true, Name = "Surefoot figures" };
         thread.Start();
     }

@@ -23,8 +23,8 @@ internal sealed class CourseReplay(TestClient client, IReadOnlyList<(double At, 
     {
         MovementKeys[] keys =
         [
-            MovementKeys.Forward, MovementKeys.Forward | MovementKeys.TurnRight, MovementKeys.Jump, MovementKeys.TurnLeft, MovementKeys.Forward,
-            MovementKeys.SidestepLeft, MovementKeys.Back, MovementKeys.None,
+            MovementKeys.Forward, MovementKeys.Forward | MovementKeys.TurnRight, MovementKeys.Jump, MovementKeys.TurnLeft,
+            MovementKeys.Forward, MovementKeys.SidestepLeft, MovementKeys.Back, MovementKeys.None,
         ];
         SimulatedHost host = new(ground, options => options with { Spawns = [] });
         TestClient walker = host.Enter("Walker");

@@ -41,7 +41,8 @@ public sealed class ServedMovementTests(DemoGround ground) : IClassFixture<DemoG
         SimulatedHost host = new(ground);
         TestClient walker = host.Enter("Walker");
         WirePosition place = walker.Place;
-        walker.Session.Send(new MoveToState(new WireRawMotion(currentHoldKey: 2, forwardCommand: 0x45000005), place, walker.Stamps, true, false));
+        WireRawMotion runs = new(currentHoldKey: 2, forwardCommand: 0x45000005);
+        walker.Session.Send(new MoveToState(runs, place, walker.Stamps, true, false));
         host.Run(0.5);
         walker.ClaimPlace(TestClient.Beside(place, 0, 60));
         Assert.True(host.RunUntil(() => walker.Stamps.ForcePosition == 1, 2));

@@ -21,7 +21,8 @@ public sealed class ServedNetworkTests(DemoGround ground) : IClassFixture<DemoGr
         using PlayedPlayer player = new(ground, walker);
         MovementKeys[] course =
         [
-            MovementKeys.Forward, MovementKeys.Forward | MovementKeys.TurnRight, MovementKeys.Forward | MovementKeys.Jump, MovementKeys.TurnLeft,
+            MovementKeys.Forward, MovementKeys.Forward | MovementKeys.TurnRight, MovementKeys.Forward | MovementKeys.Jump,
+            MovementKeys.TurnLeft,
             MovementKeys.Forward | MovementKeys.SidestepLeft, MovementKeys.Back, MovementKeys.None,
         ];
         int said = 0;

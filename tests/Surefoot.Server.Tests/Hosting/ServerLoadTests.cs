@@ -2,7 +2,8 @@ using Surefoot.Protocol.Session;
 
 namespace Surefoot.Server.Tests.Hosting;
 
-/// <summary>Two hundred clients that play at once. How long steps take is for <c>surefoot serve --load 200 --stats --json</c> to say.</summary>
+/// <summary>Two hundred clients that play at once. How long steps take is for <c>surefoot serve --load 200 --stats --json</c> to
+/// say.</summary>
 public sealed class ServerLoadTests(DemoGround ground) : IClassFixture<DemoGround>
 {
     private const int Clients = 200;

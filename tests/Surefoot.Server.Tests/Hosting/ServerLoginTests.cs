@@ -42,8 +42,8 @@ public sealed class ServerLoginTests(DemoGround ground) : IClassFixture<DemoGrou
         SimulatedHost host = new(ground);
         TestClient first = host.Enter("anna", "Anna"), second = host.Connect("anna");
         Assert.True(host.RunUntil(() => first.Session.State == SessionState.Failed && second.Session.State == SessionState.Failed, 5));
-        Assert.Equal(
-            [SessionFailureKind.AccountInUse, SessionFailureKind.AccountInUse], [first.Session.Failure!.Kind, second.Session.Failure!.Kind]);
+        Assert.Equal(SessionFailureKind.AccountInUse, first.Session.Failure!.Kind);
+        Assert.Equal(SessionFailureKind.AccountInUse, second.Session.Failure!.Kind);
 
         // Too soon: the two seconds begin anew.
         host.Run(1);

@@ -13,6 +13,9 @@ internal sealed class PlayerClaims(WorldStage stage, PlayerItem player)
     /// <summary>How far a player that the server moves may be from where it was believed to be, metres, and metres a second.</summary>
     private const double OrderedSlack = 3, OrderedSpeed = 20;
 
+    /// <summary>Farther than this from where it was believed to be a player is not, metres: it is a fall of nine seconds.</summary>
+    private const double Farthest = 400;
+
     private double heardUntil, orderedSince;
 
     private bool IsJudged => stage.Server.Options.Authority is not null;
@@ -30,7 +33,9 @@ internal sealed class PlayerClaims(WorldStage stage, PlayerItem player)
         }
 
         EndOrder(claim.Position, claim.Stamps, now);
-        ClaimVerdict verdict = IsJudged ? player.Authority.Judge(claim, now) : Believe(claim.Position, now);
+        ClaimVerdict verdict = IsTooFar(claim.Position, claim.Stamps) ?? (IsJudged
+            ? player.Authority.Judge(claim, now)
+            : Believe(claim.Position, now));
         if (verdict.Reason == ClaimReason.StaleSequence)
         {
             // Where it was counts no more; its keys do.
@@ -49,7 +54,7 @@ internal sealed class PlayerClaims(WorldStage stage, PlayerItem player)
         if (!IsHeard(out double now) || player.Broadcast.IsTeleporting) return;
         ClaimVerdict verdict = player.Use.IsUnderWay && TryFollowOrder(claim.Position, claim.Stamps, now, out ClaimVerdict followed)
             ? followed
-            : IsJudged ? player.Authority.Judge(claim, now) : Believe(claim.Position, now);
+            : IsTooFar(claim.Position, claim.Stamps) ?? (IsJudged ? player.Authority.Judge(claim, now) : Believe(claim.Position, now));
         if (verdict.IsAccepted) player.Broadcast.Take(claim, now);
         Settle(verdict, now);
     }
@@ -58,9 +63,26 @@ internal sealed class PlayerClaims(WorldStage stage, PlayerItem player)
     {
         if (!IsHeard(out double now)) return;
         EndOrder(claim.Position, claim.Stamps, now);
-        ClaimVerdict verdict = IsJudged && !player.Broadcast.IsTeleporting ? player.Authority.Judge(claim, now) : default;
+        ClaimVerdict verdict = !IsJudged || player.Broadcast.IsTeleporting
+            ? default
+            : IsTooFar(claim.Position, claim.Stamps) ?? player.Authority.Judge(claim, now);
         if (verdict.IsAccepted) player.Broadcast.Take(claim);
         else Settle(verdict, now);
+    }
+
+    /// <summary>Nobody comes so far between two claims: no way there is looked for.</summary>
+    private ClaimVerdict? IsTooFar(in WirePosition at, in MovementStamps stamps)
+    {
+        if (!IsJudged || !IsCurrent(stamps) || !ClaimReader.TryRead(at, out Position place)) return null;
+        return place.DistanceTo(player.Authority.Position) <= Farthest
+            ? null
+            : new ClaimVerdict(ClaimOutcome.Refused, ClaimReason.Teleport, player.Authority.Position);
+    }
+
+    private bool IsCurrent(in MovementStamps stamps)
+    {
+        MovementStamps own = player.Authority.Stamps;
+        return stamps.Instance == own.Instance && stamps.Teleport == own.Teleport && stamps.ForcePosition == own.ForcePosition;
     }
 
     private bool IsHeard(out double now)
@@ -108,11 +130,9 @@ internal sealed class PlayerClaims(WorldStage stage, PlayerItem player)
     /// <summary>Where a player is that the server moves: anywhere that it can have come to.</summary>
     private bool TryFollowOrder(in WirePosition at, in MovementStamps stamps, double now, out ClaimVerdict verdict)
     {
-        MovementStamps own = player.Authority.Stamps;
         Position before = player.Authority.Position;
-        bool isOwn = stamps.Instance == own.Instance && stamps.Teleport == own.Teleport && stamps.ForcePosition == own.ForcePosition;
         verdict = new ClaimVerdict(ClaimOutcome.Accepted, ClaimReason.None, before);
-        if (!isOwn || !ClaimReader.TryRead(at, out Position place)) return false;
+        if (!IsCurrent(stamps) || !ClaimReader.TryRead(at, out Position place)) return false;
         if (place.DistanceTo(before) > OrderedSlack + (OrderedSpeed * (now - orderedSince)) || !stage.TryPlace(player.Authority, place))
             return false;
         orderedSince = now;
