@@ -31,7 +31,7 @@ public sealed class ServerFuzzTests(DemoGround ground) : IClassFixture<DemoGroun
         }
 
         host.Run(1);
-        Assert.True(host.Server.Figures.Faults == 0, host.Lines.FirstOrDefault(line => line.Contains("could not", StringComparison.Ordinal)));
+        Assert.True(host.Server.Figures.Faults == 0, FaultIn(host));
         Assert.All(host.SentToStrangers, sent => Assert.True(sent.Value <= 3 * received[sent.Key], $"{sent}"));
 
         // Nobody who was in has been disturbed.
@@ -65,11 +65,14 @@ public sealed class ServerFuzzTests(DemoGround ground) : IClassFixture<DemoGroun
             host.Run(3);
         }
 
-        Assert.True(host.Server.Figures.Faults == 0, host.Lines.FirstOrDefault(line => line.Contains("could not", StringComparison.Ordinal)));
+        Assert.True(host.Server.Figures.Faults == 0, FaultIn(host));
         watcher.Session.Send(new Talk("still here"));
         Assert.True(host.RunUntil(() => watcher.Texts.Contains("still here"), 5));
         Assert.True(float.IsFinite(watcher.Place.Origin.LengthSquared()));
     }
+
+    private static string? FaultIn(SimulatedHost host) =>
+        host.Lines.FirstOrDefault(line => line.Contains("could not", StringComparison.Ordinal));
 
     private static byte[][] Models(TestClient client, uint other)
     {
