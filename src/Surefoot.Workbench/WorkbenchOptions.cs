@@ -14,6 +14,12 @@ public sealed record WorkbenchOptions
     /// <summary>Named places; null for the demo world's own, or for some well-known towns of the retail world.</summary>
     public IReadOnlyList<WorkbenchPlace>? Places { get; init; }
 
+    /// <summary>
+    /// A server whose world is played in, each page a client of its own; null for a world in this process. <see cref="DatFolder"/>
+    /// must then hold the server's own files.
+    /// </summary>
+    public OnlineOptions? Online { get; init; }
+
     /// <summary>Port on the loopback address; when it is taken, the next free one. 0 for any free port.</summary>
     public int Port { get; init; } = DefaultPort;
 

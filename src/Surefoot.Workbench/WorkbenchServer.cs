@@ -76,9 +76,16 @@ public sealed class WorkbenchServer : IAsyncDisposable
         bool demo = options.DatFolder is null;
         DatSet dats = DatSet.Open(options.DatFolder ?? DemoWorldCache.GetOrCreate(notice: options.Notice));
         IReadOnlyList<WorkbenchPlace> places = options.Places ?? (demo ? KnownPlaces.Demo() : KnownPlaces.Retail());
-        SimulatedWorld? world = null;
+        IWorkbenchWorld? world = null;
         try
         {
+            if (options.Online is { } online)
+            {
+                world = new NetworkWorld(dats, places, online) { Notice = options.Notice };
+                int pages = online.NumbersPages ? options.MaxPlayers : 1;
+                return await StartAsync(world, options with { MaxPlayers = pages }, cancellation: cancellation).ConfigureAwait(false);
+            }
+
             string name = demo ? "Demo world" : Path.GetFileName(Path.TrimEndingDirectorySeparator(dats.Folder));
             world = new SimulatedWorld(name, dats, places, logger, demo ? DemoSpawns.All : [])
             {

@@ -67,6 +67,7 @@ public sealed class FrameTests
         Assert.True(ClientFrame.TryParse(Bytes("askWalk"), Places, out ClientFrame askWalk));
         Assert.Equal(new ClientFrame(FrameKind.AskWalk), askWalk);
         Assert.Equal(Bytes("walk"), ServerFrames.Walk(new WalkReport("W 3 ", "é.")));
+        Assert.Equal(Bytes("sentence"), ServerFrames.Sentence("Aé"));
         Assert.Equal(Bytes("welcome"), ServerFrames.Welcome(7, new PlayerSettings(300, 250, 7000), 15_000, 9, 2));
         Assert.Equal(Bytes("pose"), ServerFrames.Pose(SamplePose, 9, 10, 3));
         Assert.Equal(Bytes("others"), ServerFrames.Others(12.5, [(2, SamplePose)]));

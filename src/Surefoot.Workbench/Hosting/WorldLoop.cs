@@ -224,6 +224,7 @@ internal sealed partial class WorldLoop(IWorkbenchWorld world, ServerCounters co
             PlayerPose pose = seat.Player.Pose;
             PosePublished?.Invoke(seat.Id, tick, pose);
             while (seat.Player.TryTakeEvent(out PlayerEvent happened)) seat.Page.Send(ServerFrames.Event(happened));
+            while (seat.Player.TryTakeSentence(out string sentence)) seat.Page.Send(ServerFrames.Sentence(sentence));
             seat.Page.Send(ServerFrames.Pose(pose, tick, seat.Sequence, seats.Count));
             world.LookAtPlayers(seat.Player, others);
             if (others.Count > 0 || seat.HadCompany) seat.Page.Send(ServerFrames.Others(now, others));

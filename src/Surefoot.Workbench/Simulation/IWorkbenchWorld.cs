@@ -108,6 +108,9 @@ internal interface IWorkbenchPlayer
 
     /// <summary>The oldest event not yet taken.</summary>
     bool TryTakeEvent(out PlayerEvent happened);
+
+    /// <summary>The oldest sentence not yet taken that a person should read.</summary>
+    bool TryTakeSentence(out string sentence);
 }
 
 /// <summary>What a player did last.</summary>

@@ -1,10 +1,8 @@
-using System.Numerics;
 using Surefoot.Client;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Decisions;
 using Surefoot.Physics.Motion;
-using Surefoot.Physics.Steering;
 using Surefoot.Physics.World;
 using Surefoot.Protocol.Messages;
 using Surefoot.Protocol.Session;
@@ -24,17 +22,12 @@ internal sealed class SimulatedPlayer(
     /// <summary>Strength of every player; its capacity is what the burden slider is measured against.</summary>
     public const int Strength = 100;
 
-    private const int MostEventsKept = 64;
-
     // A browser reports its pointer once a frame, and a hand's width should turn half round.
-    private const float PointerSensitivity = 1f;
+    internal const float PointerSensitivity = 1f;
 
-    private readonly Queue<PlayerEvent> events = [];
-    private readonly SpeedMeter speed = new();
-    private readonly List<Touch> touches = [];
-    private readonly TouchReader reader = new(nameOf);
     private readonly WalkRecorder walk = new(settings);
     private LocalPlayer? player;
+    private PlayerWatch? watch;
     private SeenPlayer? seen;
     private Viewer? viewer;
     private SimulatedWorld? world;
@@ -42,18 +35,15 @@ internal sealed class SimulatedPlayer(
     private PlayerKeys held;
     private MovementKeys keys;
     private byte teleports;
-    private bool airborne;
-    private float fallSpeed;
-    private float runRate = 1f;
 
     /// <summary>What the player's body is to tell its decisions to.</summary>
     public TraceBuffer Trace { get; } = new();
 
     /// <inheritdoc/>
-    public PlayerPose Pose { get; private set; }
+    public PlayerPose Pose => Watch.Pose;
 
     /// <inheritdoc/>
-    public IReadOnlyList<Touch> Touches => touches;
+    public IReadOnlyList<Touch> Touches => Watch.Touches;
 
     /// <inheritdoc/>
     public WalkReport Walk => new(walk.Command(World.DatFolder), walk.LeftOut);
@@ -69,6 +59,8 @@ internal sealed class SimulatedPlayer(
 
     /// <summary>The player in the physics.</summary>
     public LocalPlayer Player => player ?? throw new InvalidOperationException("The player has not entered the world.");
+
+    private PlayerWatch Watch => watch ?? throw new InvalidOperationException("The player has not entered the world.");
 
     private SimulatedWorld World => world ?? throw new InvalidOperationException("The player has not entered the world.");
 
@@ -93,6 +85,7 @@ internal sealed class SimulatedPlayer(
     public void Enter(LocalPlayer entered, SimulatedWorld around, SetupAsset shape, Viewer sight, double now)
     {
         player = entered;
+        watch = new PlayerWatch(entered, Trace, nameOf, around.IsEnclosed);
         seen = new SeenPlayer(player, shape, $"Player {player.Body.Id}", server.RunRate);
         viewer = sight;
         player.Controller.MouseTurning.Inverted = true;
@@ -117,7 +110,7 @@ internal sealed class SimulatedPlayer(
     {
         MovementKeys before = keys;
         held = keysHeld;
-        keys = Translate(held);
+        keys = KeyTranslation.Of(held);
         Player.Update(keys, now);
         walk.Act(held, Player.Controller.AutoRun, now);
         bool jumpChanged = ((keys ^ before) & MovementKeys.Jump) != 0;
@@ -175,7 +168,7 @@ internal sealed class SimulatedPlayer(
 
         teleports++;
         Seen.Teleported(now);
-        speed.Reset();
+        Watch.Leap();
         walk.Place(Player.Body.Position);
         Observe(now);
     }
@@ -198,7 +191,14 @@ internal sealed class SimulatedPlayer(
     }
 
     /// <inheritdoc/>
-    public bool TryTakeEvent(out PlayerEvent happened) => events.TryDequeue(out happened);
+    public bool TryTakeEvent(out PlayerEvent happened) => Watch.TryTakeEvent(out happened);
+
+    /// <inheritdoc/>
+    public bool TryTakeSentence(out string sentence)
+    {
+        sentence = "";
+        return false;
+    }
 
     /// <summary>What the server says arrives and the keys act; before the world's tick.</summary>
     public void BeforeTick(double now) => Player.Update(keys, now);
@@ -208,57 +208,10 @@ internal sealed class SimulatedPlayer(
     {
         Seen.Broadcast.Update(now);
         Observe(now);
-        walk.Observe(Player.Body.Position, Pose, touches, now);
+        walk.Observe(Player.Body.Position, Pose, Touches, now);
     }
 
-    /// <summary>Reads the pose off the body.</summary>
-    private void Observe(double now)
-    {
-        PhysicsBody body = Player.Body;
-        MovementManager movement = Player.Movement;
-        if (movement.RunRate != runRate)
-        {
-            runRate = movement.RunRate;
-            Happen(new PlayerEvent(PlayerEventKind.RunRateChanged, now, runRate));
-        }
-
-        if (airborne && body.HasContact) Happen(new PlayerEvent(PlayerEventKind.Landed, now, fallSpeed));
-        airborne = !body.HasContact;
-        fallSpeed = airborne ? -body.Velocity.Z : 0;
-
-        PoseFlags flags = PoseFlags.None;
-        if (body.HasContact) flags |= PoseFlags.Contact;
-        if (body.OnWalkable) flags |= PoseFlags.OnWalkable;
-        if (body.HasContact && body.Transient.HasFlag(TransientState.WaterContact)) flags |= PoseFlags.InWater;
-        if (Player.Controller.IsChargingJump) flags |= PoseFlags.Charging;
-        if (movement.StandingLongJump) flags |= PoseFlags.StandingLongJump;
-        if (!body.HasCell) flags |= PoseFlags.Nowhere;
-        if (World.IsEnclosed(body.Position.CellId)) flags |= PoseFlags.Enclosed;
-        MotionSummary motions = movement.Motions;
-        Position position = body.Position;
-        double time = body.IsActive ? body.SimulatedTime : now;
-        Pose = new PlayerPose(
-            time,
-            position.CellId,
-            position.Frame.Origin,
-            PlayerPose.YawOf(position),
-            body.IsActive ? body.AchievedVelocity : Vector3.Zero,
-            speed.At(time, position),
-            flags,
-            body.HasContact ? body.ContactPlane : default,
-            Player.Controller.JumpLevel(now),
-            body.LastQuantum,
-            runRate,
-            (uint)motions.Forward,
-            motions.ForwardSpeed,
-            motions.Sidestep == MotionCommand.None ? 0 : motions.SidestepSpeed,
-            motions.Turn == MotionCommand.None ? 0 : motions.TurnSpeed,
-            teleports,
-            walk.Count);
-        reader.Read(Trace);
-        if (body.HasCell) reader.CopyTo(touches);
-        else touches.Clear();
-    }
+    private void Observe(double now) => Watch.Observe(teleports, walk.Count, now);
 
     void IMovementObserver.OnMoveToState(in MoveToState message, double now) => seen?.Broadcast.Take(message, now);
 
@@ -270,23 +223,5 @@ internal sealed class SimulatedPlayer(
         Happen(new PlayerEvent(PlayerEventKind.Jumped, now, message.Extent));
     }
 
-    private static MovementKeys Translate(PlayerKeys held)
-    {
-        MovementKeys keys = MovementKeys.None;
-        if (held.HasFlag(PlayerKeys.Forward)) keys |= MovementKeys.Forward;
-        if (held.HasFlag(PlayerKeys.Back)) keys |= MovementKeys.Back;
-        if (held.HasFlag(PlayerKeys.TurnLeft)) keys |= MovementKeys.TurnLeft;
-        if (held.HasFlag(PlayerKeys.TurnRight)) keys |= MovementKeys.TurnRight;
-        if (held.HasFlag(PlayerKeys.SidestepLeft)) keys |= MovementKeys.SidestepLeft;
-        if (held.HasFlag(PlayerKeys.SidestepRight)) keys |= MovementKeys.SidestepRight;
-        if (held.HasFlag(PlayerKeys.Walk)) keys |= MovementKeys.Walk;
-        if (held.HasFlag(PlayerKeys.Jump)) keys |= MovementKeys.Jump;
-        return keys;
-    }
-
-    private void Happen(in PlayerEvent happened)
-    {
-        events.Enqueue(happened);
-        if (events.Count > MostEventsKept) events.Dequeue();
-    }
+    private void Happen(in PlayerEvent happened) => Watch.Happen(happened);
 }

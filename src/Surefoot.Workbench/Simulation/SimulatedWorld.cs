@@ -2,7 +2,6 @@ using System.Numerics;
 using Microsoft.Extensions.Logging;
 using Surefoot.Client;
 using Surefoot.Dats;
-using Surefoot.Dats.Records;
 using Surefoot.DemoWorld;
 using Surefoot.Physics;
 using Surefoot.Physics.Assets;
@@ -19,15 +18,13 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     private const int KeepRadius = 3;
     private const ulong WandererSeed = 1;
 
-    /// <summary>How far from a player moving parts are shown to it, metres.</summary>
-    private const double ShownWithin = 160;
-
     /// <summary>How long the server in this process takes to answer, seconds: enough to see that a new skill waits for it.</summary>
     private const double ServerLatency = 0.1;
 
     private readonly DatSet dats;
     private readonly PhysicsDataCache cache;
     private readonly PhysicsWorld land;
+    private readonly LandView view;
     private readonly PhysicsEngine engine;
     private readonly SetupAsset human;
     private readonly MotionTableAsset humanMotions;
@@ -66,9 +63,8 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
         seen = [.. inhabitants.All.Select(one => one.Seen).OfType<ISeenObject>()];
         seenAssets = new DatObjectAssets(cache, land.LeftOut, movesHands: false);
         arrival = new Arrival(engine, land, human, cellId => LoadAround(cellId, 1));
-        PhysicsWorld view = new PhysicsEngine(cache, new PhysicsEngineOptions { Region = land.Region }).World;
-        Places = [.. places.Where(place => view.LoadLandblock(place.CellId) && view.GetVisible(place.CellId) is not null).Select(OnGround)];
-        if (Places.Count == 0) Places = [OnGround(KnownPlaces.Somewhere(dats, view.LoadLandblock))];
+        view = new LandView(dats, cache, land.Region);
+        Places = view.PlacesOf(places);
     }
 
     /// <inheritdoc/>
@@ -145,55 +141,14 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     public void LookAtTruth(IWorkbenchPlayer player, List<TruePlace> near) => Sight.Truth((SimulatedPlayer)player, seen, near);
 
     /// <inheritdoc/>
-    public void LookAtParts(IWorkbenchPlayer player, List<MovingPart> near)
-    {
-        near.Clear();
-        Position from = ((SimulatedPlayer)player).Player.Body.Position;
-        foreach (Landblock block in land.Landblocks)
-        {
-            for (int i = 0; i < block.AnimatedStatics.Count; i++)
-            {
-                Physics.World.StaticObject item = block.AnimatedStatics[i];
-                if (!ShapeCollector.MovesSolidParts(item) || item.Position.DistanceTo(from) > ShownWithin) continue;
-                foreach (SolidPart part in SolidParts.Of(item))
-                    near.Add(new MovingPart((ushort)(block.Id >> 16), (ushort)i, (ushort)part.Index, part.Frame.Origin, part.Frame.Rotation,
-                        part.Scale));
-            }
-        }
-    }
+    public void LookAtParts(IWorkbenchPlayer player, List<MovingPart> near) =>
+        LandView.LookAtParts(land, ((SimulatedPlayer)player).Player.Body.Position, near);
 
     /// <inheritdoc/>
-    public TerrainBlock? ReadTerrain(ushort block)
-    {
-        uint blockId = (uint)block << 16;
-        LandBlock? record;
-        try
-        {
-            if (!dats.TryRead(blockId | 0xFFFF, out record)) return null;
-        }
-        catch (DatFormatException)
-        {
-            return null;
-        }
-
-        float[] heights = new float[TerrainSurface.VertexCount];
-        for (int i = 0; i < heights.Length; i++) heights[i] = land.Region.HeightTable[record.Heights[i]];
-        TerrainSurface surface = new(blockId, heights, record.Terrain.AsSpan());
-        bool[] cuts = new bool[TerrainSurface.CellCount];
-        for (int cell = 0; cell < cuts.Length; cell++) cuts[cell] = surface.IsCutSouthWestToNorthEast(cell);
-        return new TerrainBlock(heights, [.. record.Terrain], cuts);
-    }
+    public TerrainBlock? ReadTerrain(ushort block) => view.ReadTerrain(block);
 
     /// <inheritdoc/>
-    /// <remarks>
-    /// The block is built anew in a world of its own: the players' world belongs to their thread, only the assets are shared.
-    /// </remarks>
-    public BlockShapes? ReadShapes(ushort block)
-    {
-        uint blockId = (uint)block << 16;
-        PhysicsWorld view = new PhysicsEngine(cache, new PhysicsEngineOptions { Region = land.Region }).World;
-        return view.LoadLandblock(blockId) ? ShapeCollector.Collect(view.FindLandblock(blockId)!) : null;
-    }
+    public BlockShapes? ReadShapes(ushort block) => view.ReadShapes(block);
 
     /// <inheritdoc/>
     public void Dispose() => dats.Dispose();
@@ -250,16 +205,6 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     private static bool IsNear(uint blockId, uint cellId) =>
         Math.Abs((int)(blockId >> 24) - (int)(cellId >> 24)) <= KeepRadius &&
         Math.Abs((int)((blockId >> 16) & 0xFF) - (int)((cellId >> 16) & 0xFF)) <= KeepRadius;
-
-    /// <summary>An outdoor place without a height is put on the ground.</summary>
-    private WorkbenchPlace OnGround(WorkbenchPlace place)
-    {
-        if (!float.IsNaN(place.Position.Z)) return place;
-        float z = 0;
-        if (ReadTerrain((ushort)(place.CellId >> 16)) is { } terrain)
-            new TerrainSurface(place.CellId, terrain.Heights, terrain.Terrain).TryGetHeight(place.Position.X, place.Position.Y, out z);
-        return place with { Position = place.Position with { Z = z } };
-    }
 
     [LoggerMessage(Level = LogLevel.Warning, Message = "{Total} things of the files are left out by now, such as {Item}")]
     private static partial void LogLeftOut(ILogger logger, long total, LeftOutItem item);

@@ -92,6 +92,9 @@ internal enum FrameKind : byte
     /// <see cref="ServerFrames.Truth"/>.
     /// </summary>
     Truth = 0x89,
+
+    /// <summary>Server → page: a sentence that a person should read; see <see cref="ServerFrames.Sentence"/>.</summary>
+    Sentence = 0x8A,
 }
 
 /// <summary>The keys a player holds.</summary>
@@ -122,7 +125,7 @@ internal enum PointerButtons : byte
 internal static class WireLimits
 {
     /// <summary>Version of the frames; a page of another version reloads itself.</summary>
-    public const byte Version = 7;
+    public const byte Version = 8;
 
     /// <summary>Longest frame a page sends, bytes.</summary>
     public const int LongestClientFrame = 21;

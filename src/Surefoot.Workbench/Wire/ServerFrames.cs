@@ -20,6 +20,9 @@ internal static class ServerFrames
     public const int MovingHeaderLength = 11;
     public const int MovingLength = 40;
     public const int WalkHeaderLength = 9;
+
+    /// <summary>Length of a sentence before its text, bytes.</summary>
+    public const int SentenceHeaderLength = 5;
     public const int TruthHeaderLength = 11;
     public const int TruePlaceLength = 24;
 
@@ -239,6 +242,18 @@ internal static class ServerFrames
         to.U32((uint)leftOut);
         Encoding.UTF8.GetBytes(walk.Command, bytes.AsSpan(WalkHeaderLength));
         Encoding.UTF8.GetBytes(walk.LeftOut, bytes.AsSpan(WalkHeaderLength + command));
+        return bytes;
+    }
+
+    /// <summary><c>u8 kind, u32 length</c>, and the sentence in UTF-8.</summary>
+    public static byte[] Sentence(string text)
+    {
+        int length = Encoding.UTF8.GetByteCount(text);
+        byte[] bytes = new byte[SentenceHeaderLength + length];
+        Writer to = new(bytes);
+        to.U8((byte)FrameKind.Sentence);
+        to.U32((uint)length);
+        Encoding.UTF8.GetBytes(text, bytes.AsSpan(SentenceHeaderLength));
         return bytes;
     }
 

@@ -187,6 +187,12 @@ internal sealed class StandInWorld : IWorkbenchWorld
 
         public void Use(double now) => use();
 
+        public bool TryTakeSentence(out string sentence)
+        {
+            sentence = "";
+            return false;
+        }
+
         public bool TryTakeEvent(out PlayerEvent happened) => events.TryDequeue(out happened);
 
         public void Advance(float quantum, double now)

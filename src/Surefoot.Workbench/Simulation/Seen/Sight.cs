@@ -38,31 +38,39 @@ internal static class Sight
         foreach (SimulatedPlayer other in players)
         {
             if (other == player || player.Viewer.Find(other.Seen.Id) is not { } body) continue;
-            MotionSummary motions = player.Viewer.MotionsOf(body);
-            PoseFlags flags = PoseFlags.None;
-            if (body.HasContact) flags |= PoseFlags.Contact;
-            if (body.OnWalkable) flags |= PoseFlags.OnWalkable;
-            if (body.HasContact && body.Transient.HasFlag(TransientState.WaterContact)) flags |= PoseFlags.InWater;
-            Position place = body.Position;
-            Vector3 velocity = VelocityOf(body);
-            near.Add((body.Id, new PlayerPose(
-                body.SimulatedTime,
-                place.CellId,
-                place.Frame.Origin,
-                PlayerPose.YawOf(place),
-                velocity,
-                new Vector2(velocity.X, velocity.Y).Length(),
-                flags,
-                body.HasContact ? body.ContactPlane : default,
-                0,
-                body.LastQuantum,
-                1,
-                (uint)motions.Forward,
-                motions.ForwardSpeed,
-                motions.Sidestep == MotionCommand.None ? 0 : motions.SidestepSpeed,
-                motions.Turn == MotionCommand.None ? 0 : motions.TurnSpeed,
-                player.Viewer.LeapsOf(body))));
+            near.Add((body.Id, PoseOf(body, player.Viewer.MotionsOf(body), player.Viewer.LeapsOf(body))));
         }
+    }
+
+    /// <summary>Another player as a page draws it.</summary>
+    /// <param name="body">Its body in the page's own view.</param>
+    /// <param name="motions">What it does there.</param>
+    /// <param name="leaps">How often it was not moved but put somewhere else, modulo 256.</param>
+    public static PlayerPose PoseOf(PhysicsBody body, in MotionSummary motions, byte leaps)
+    {
+        PoseFlags flags = PoseFlags.None;
+        if (body.HasContact) flags |= PoseFlags.Contact;
+        if (body.OnWalkable) flags |= PoseFlags.OnWalkable;
+        if (body.HasContact && body.Transient.HasFlag(TransientState.WaterContact)) flags |= PoseFlags.InWater;
+        Position place = body.Position;
+        Vector3 velocity = VelocityOf(body);
+        return new PlayerPose(
+            body.SimulatedTime,
+            place.CellId,
+            place.Frame.Origin,
+            PlayerPose.YawOf(place),
+            velocity,
+            new Vector2(velocity.X, velocity.Y).Length(),
+            flags,
+            body.HasContact ? body.ContactPlane : default,
+            0,
+            body.LastQuantum,
+            1,
+            (uint)motions.Forward,
+            motions.ForwardSpeed,
+            motions.Sidestep == MotionCommand.None ? 0 : motions.SidestepSpeed,
+            motions.Turn == MotionCommand.None ? 0 : motions.TurnSpeed,
+            leaps);
     }
 
     /// <summary>Lists where those are in truth that the page sees.</summary>

@@ -126,6 +126,7 @@ export function play(by: Drawing): void {
       entrance.welcome(frame);
       tellNetwork();
     }
+    if (frame.kind === "sentence") hud.toasts.show(frame.text, "hint");
     if (frame.kind === "walk") void copyWalk(frame, hud.toasts, hud.notice);
     if (frame.kind !== "pose") return;
     entrance.pose(frame);

@@ -66,6 +66,8 @@ describe("frames of the server", () => {
     expect(decode(bytes(samples.truth.hex))).toEqual({ kind: "truth", time: samples.truth.time, places: [place] });
     const { hex: walkHex, ...walk } = samples.walk;
     expect(decode(bytes(walkHex))).toEqual({ kind: "walk", ...walk });
+    const { hex: sentenceHex, ...sentence } = samples.sentence;
+    expect(decode(bytes(sentenceHex))).toEqual({ kind: "sentence", ...sentence });
     const { hex: eventHex, ...event } = samples.event;
     expect(decode(bytes(eventHex))).toEqual({ kind: "event", ...event });
   });
@@ -80,6 +82,7 @@ describe("frames of the server", () => {
       samples.touches.hex,
       samples.moving.hex,
       samples.walk.hex,
+      samples.sentence.hex,
       samples.truth.hex,
     ]) {
       const whole = bytes(hex);

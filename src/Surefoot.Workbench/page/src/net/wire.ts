@@ -1,6 +1,6 @@
 // The frames between this page and the server; `Wire/` in the server's source says the same. All numbers are little-endian.
 
-export const wireVersion = 7;
+export const wireVersion = 8;
 
 export const Key = {
   Forward: 1,
@@ -202,7 +202,13 @@ export interface Walk {
   leftOut: string;
 }
 
-export type ServerFrame = Welcome | OwnPose | Others | PlayerEvent | Bodies | Touches | Moving | Walk | Truth;
+/** Something that the person should read. */
+export interface Sentence {
+  kind: "sentence";
+  text: string;
+}
+
+export type ServerFrame = Welcome | OwnPose | Others | PlayerEvent | Bodies | Touches | Moving | Walk | Truth | Sentence;
 
 const lengths = {
   welcome: 30,
@@ -219,6 +225,7 @@ const lengths = {
   walkHeader: 9,
   truthHeader: 11,
   truePlace: 24,
+  sentenceHeader: 5,
 };
 
 /** Reads a frame of the server; null for one this page does not know. */
@@ -244,6 +251,8 @@ export function decode(buffer: ArrayBuffer): ServerFrame | null {
       return buffer.byteLength >= lengths.walkHeader ? decodeWalk(read) : null;
     case 0x89:
       return buffer.byteLength >= lengths.truthHeader ? decodeTruth(read, buffer.byteLength) : null;
+    case 0x8a:
+      return buffer.byteLength >= lengths.sentenceHeader ? decodeSentence(read) : null;
     default:
       return null;
   }
@@ -378,6 +387,11 @@ function decodeWalk(read: Reader): Walk | null {
   const leftOut = read.u32();
   if (read.left !== command + leftOut) return null;
   return { kind: "walk", command: read.text(command), leftOut: read.text(leftOut) };
+}
+
+function decodeSentence(read: Reader): Sentence | null {
+  const length = read.u32();
+  return read.left === length ? { kind: "sentence", text: read.text(length) } : null;
 }
 
 function decodeTruth(read: Reader, length: number): Truth | null {
