@@ -5,6 +5,7 @@ using Surefoot.Physics.Assets;
 using Surefoot.Protocol.Session;
 using Surefoot.Tool.Online;
 using Surefoot.Tool.Walking;
+using Surefoot.Workbench;
 
 namespace Surefoot.Tool.Commands;
 
@@ -40,6 +41,10 @@ internal static class ConnectCommand
             Description = "Seconds that the login may take, 1 to 600.",
             DefaultValueFactory = _ => 30,
         };
+        Option<bool> page = new("--page")
+        {
+            Description = "Play in a browser until Ctrl+C, instead of looking around and walking a script.",
+        };
         Option<bool> json = new("--json") { Description = "Print one JSON object." };
         Command command = new(
             "connect",
@@ -48,16 +53,35 @@ internal static class ConnectCommand
             "7 character refused, 8 server full or closed, 9 session lost, 10 other dat files.\n\nExample:\n" +
             $"  surefoot connect --server 127.0.0.1:9000 --account me --character Alma --create --script \"{WalkScript.Example}\"")
         {
-            server, account, character, create, dats, passwordFile, script, times, timeout, json,
+            server, account, character, create, dats, passwordFile, script, times, timeout, page, json,
         };
-        command.SetAction((parsed, cancellation) =>
+        command.SetAction(async (parsed, cancellation) =>
         {
             IReadOnlyList<WalkLeg>? legs = parsed.GetValue(script) is { } text ? WalkCommand.ParseScript(text) : null;
             FileInfo? timesFile = parsed.GetValue(times);
             if (timesFile is not null && legs is null) throw new UsageException("--times keeps the frames of a --script: give one.");
             var address = ServerAddress.Find(parsed.GetRequiredValue(server));
-            ClientSessionOptions login = LogIn(
+            ClientSessionOptions login = PasswordSource.LogIn(
                 parsed.GetRequiredValue(account), parsed.GetValue(passwordFile), parsed.GetValue(timeout));
+            if (parsed.GetValue(page))
+            {
+                if (legs is not null || parsed.GetValue(json)) throw new UsageException("--page goes with neither --script nor --json.");
+                return await PlayCommand.ServeAsync(
+                    new WorkbenchOptions
+                    {
+                        DatFolder = parsed.GetValue(dats)?.FullName,
+                        Notice = CommonOptions.Say,
+                        Online = new OnlineOptions
+                        {
+                            Server = address,
+                            Login = login,
+                            Character = parsed.GetRequiredValue(character),
+                            Create = parsed.GetValue(create),
+                        },
+                    },
+                    opensPage: true, cancellation).ConfigureAwait(false);
+            }
+
             ConnectReport report = new(parsed.GetValue(json), parsed.GetRequiredValue(server));
             try
             {
@@ -65,17 +89,17 @@ internal static class ConnectCommand
                     parsed.GetValue(dats)?.FullName ?? DemoWorldCache.GetOrCreate(notice: CommonOptions.Say));
                 using OnlineStay stay = new(address, login, new PhysicsDataCache(files), report.Say, cancellation);
                 Stay(stay, report, parsed.GetRequiredValue(character), parsed.GetValue(create), legs, timesFile);
-                return Task.FromResult(ExitCode.Done);
+                return ExitCode.Done;
             }
             catch (ConnectException e)
             {
                 report.Fail(e);
-                return Task.FromResult(e.ExitCode);
+                return e.ExitCode;
             }
             catch (OperationCanceledException)
             {
                 report.Fail(new ConnectException("Interrupted: the session was closed.", ExitCode.Failed));
-                return Task.FromResult(ExitCode.Failed);
+                return ExitCode.Failed;
             }
         });
         return command;
@@ -105,24 +129,5 @@ internal static class ConnectCommand
         report.Say("logging off");
         stay.LogOff();
         report.Finish(stay);
-    }
-
-    private static ClientSessionOptions LogIn(string account, FileInfo? passwordFile, double timeout)
-    {
-        if (timeout is not (>= 1 and <= 600)) throw new UsageException("--timeout is between 1 and 600 seconds, for example --timeout 30.");
-        try
-        {
-            return new ClientSessionOptions
-            {
-                Account = account,
-                Password = PasswordSource.Read(passwordFile, account),
-                LoginTimeout = timeout,
-                SilenceTimeout = 10,
-            };
-        }
-        catch (ArgumentException e)
-        {
-            throw new UsageException(e.Message);
-        }
     }
 }

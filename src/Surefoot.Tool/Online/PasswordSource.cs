@@ -1,4 +1,5 @@
 using Spectre.Console;
+using Surefoot.Protocol.Session;
 
 namespace Surefoot.Tool.Online;
 
@@ -7,6 +8,9 @@ namespace Surefoot.Tool.Online;
 internal static class PasswordSource
 {
     internal const string Variable = "SUREFOOT_PASSWORD";
+
+    /// <summary>A server of the field says something every two seconds: so long a silence is its end, seconds.</summary>
+    private const double Patience = 10;
 
     /// <summary>Finds the password.</summary>
     /// <param name="file">A file whose first line it is; null for none.</param>
@@ -26,5 +30,29 @@ internal static class PasswordSource
         if (Console.IsInputRedirected || !AnsiConsole.Profile.Capabilities.Interactive)
             throw new UsageException($"there is no password and nobody to ask: give --password-file FILE, or set {Variable}.");
         return AnsiConsole.Prompt(new TextPrompt<string>($"Password of {Markup.Escape(account)}:").Secret(null).AllowEmpty());
+    }
+
+    /// <summary>Who logs in.</summary>
+    /// <param name="account">Name of the account.</param>
+    /// <param name="passwordFile">A file whose first line is the password; null for none.</param>
+    /// <param name="timeout">Seconds that the login may take.</param>
+    /// <exception cref="UsageException">One of them cannot be, or there is no password.</exception>
+    internal static ClientSessionOptions LogIn(string account, FileInfo? passwordFile, double timeout)
+    {
+        if (timeout is not (>= 1 and <= 600)) throw new UsageException("--timeout is between 1 and 600 seconds, for example --timeout 30.");
+        try
+        {
+            return new ClientSessionOptions
+            {
+                Account = account,
+                Password = Read(passwordFile, account),
+                LoginTimeout = timeout,
+                SilenceTimeout = Patience,
+            };
+        }
+        catch (ArgumentException e)
+        {
+            throw new UsageException(e.Message);
+        }
     }
 }
