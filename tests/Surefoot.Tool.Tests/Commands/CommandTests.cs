@@ -52,6 +52,11 @@ public class CommandTests
     [InlineData("dats", "list", ".", "--type", "Sandwich", "Setup")]
     [InlineData("walk", "script")]
     [InlineData("play", "--port", "99999", "65535")]
+    [InlineData("play", "--server", "127.0.0.1:99999", "1 to 65534")]
+    [InlineData("play", "--server", "127.0.0.1:9000", "--account", "", "--password-file",
+        "tests/data/README.md", "1 to 50 printable")]
+    [InlineData("connect", "--server", "127.0.0.1:9000", "--account", "a", "--character", "A", "--page", "--json", "--password-file",
+        "tests/data/README.md", "--page goes with")]
     [InlineData("fly", "fly")]
     [InlineData("authority", "--hours", "0", "--hours 2")]
     [InlineData("authority", "--hours", "NaN", "--hours 2")]
