@@ -25,6 +25,9 @@ internal sealed class Beliefs
     /// <summary>Most explanations kept of one kind: with and without the walk key, rising and falling.</summary>
     private const int MostOfAKind = 3;
 
+    /// <summary>A speed upwards that lifts a body off the ground for its next quantum, m/s.</summary>
+    internal const float Hop = 0.3f;
+
     private const float FirstQuantum = 1f / 30;
 
     private readonly Explanation[] explanations = new Explanation[Most];
@@ -180,7 +183,19 @@ internal sealed class Beliefs
             if (count == Most) break;
         }
 
+        if (ground is not null && explanations[0].Approach.IsTouchy) count = AddHop(count);
         (now, next, Count) = (next, now, count);
+    }
+
+    /// <summary>Who stands there may just have landed, and hop once more: as fast as the keys want, whatever it was before.</summary>
+    private int AddHop(int count)
+    {
+        if (count == Most) return count;
+        ShadowBody body = next[count].Body;
+        body.CopyFrom(next[0].Body, passesMovers: false);
+        body.SeatAt(body.Seat with { Velocity = new Vector3(0, 0, Hop) });
+        next[count].Quantum = next[0].Quantum;
+        return IsKnown(body, count) ? count : count + 1;
     }
 
     private bool IsKnown(ShadowBody body, int count)

@@ -11,7 +11,8 @@ namespace Surefoot.Server;
 /// <param name="Until">How long it stayed there, seconds from its begin; infinite for one that rests there.</param>
 /// <param name="Seat">The body's state when it was nearest.</param>
 /// <param name="IsTouchy">The course went through the air or over a slope: what comes after it hangs on how time is divided.</param>
-internal readonly record struct Approach(double Miss, double Time, double Until, BodySeat Seat, bool IsTouchy);
+/// <param name="Bounced">Until then something had thrown the body back, or it had landed: small differences have grown large there.</param>
+internal readonly record struct Approach(double Miss, double Time, double Until, BodySeat Seat, bool IsTouchy, bool Bounced);
 
 /// <summary>Courses that a body may take from where it is, and how near to a place they lead. The body itself stays where it is.</summary>
 /// <param name="probe">What is sent ahead in its place.</param>
@@ -35,6 +36,9 @@ internal sealed class Course(ShadowBody probe)
     /// <summary>So many quanta without a move are the end of a course.</summary>
     private const int QuantaAtRest = 4;
 
+    /// <summary>In the air a velocity that changes across by so much was changed by something, m/s.</summary>
+    private const float Thrown = 0.01f;
+
     private const float LeastTime = 1f / 30;
 
     /// <summary>Follows a course.</summary>
@@ -51,23 +55,27 @@ internal sealed class Course(ShadowBody probe)
         Vector3 before = probe.Position.OffsetTo(to);
         double best = before.Length(), bestTime = 0, until = 0;
         BodySeat seat = probe.Seat;
-        bool touchy = probe.IsTouchy;
+        bool touchy = probe.IsTouchy, bounces = false, bounced = false;
         int rest = 0;
         while (walk.Time < seconds)
         {
             bool there = best <= There;
             if (there && !guess.Late && !(walk.Time < patience && until == walk.Time)) break;
             double time = walk.Time;
+            Vector3 velocity = probe.Seat.Velocity;
+            bool flew = !probe.OnWalkable;
             walk.Step(guess.Quantum);
             if (!probe.HasCell) break;
             touchy |= probe.IsTouchy;
+            bounces |= flew && Math.Abs(probe.Seat.Velocity.X - velocity.X) + Math.Abs(probe.Seat.Velocity.Y - velocity.Y) > Thrown;
+            bounces |= flew && probe.OnWalkable;
             Vector3 after = probe.Position.OffsetTo(to), moved = before - after;
             double share = Nearest(before, moved), miss = (before - ((float)share * moved)).Length();
             bool again = guess.Late && miss <= Math.Max(best, There) + Nearer && until < time;
             bool better = miss + (Patience * (time - bestTime)) < best - Nearer;
             if (again || better || (!there && miss <= There && time - bestTime < LongestSearch))
             {
-                (best, bestTime, seat) = (miss, time + (share * (walk.Time - time)), probe.Seat);
+                (best, bestTime, seat, bounced) = (miss, time + (share * (walk.Time - time)), probe.Seat, bounces);
                 until = share == 1 ? walk.Time : bestTime;
             }
             else if (until == time && after.Length() <= best + Nearer)
@@ -87,7 +95,7 @@ internal sealed class Course(ShadowBody probe)
             before = after;
         }
 
-        return new Approach(best, bestTime, until, seat, touchy);
+        return new Approach(best, bestTime, until, seat, touchy, bounced);
     }
 
     /// <summary>

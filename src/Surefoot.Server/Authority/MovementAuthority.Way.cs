@@ -1,5 +1,6 @@
 using System.Numerics;
 using Surefoot.Physics.Bodies;
+using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.Queries;
 using Surefoot.Physics.World;
@@ -30,6 +31,9 @@ public sealed partial class MovementAuthority
     /// <summary>How far ahead a wall is looked for, metres.</summary>
     private const float WallReach = 0.3f;
 
+    /// <summary>How far beside a place a slope may be that has thrown a body there, metres, and what is no wall but a slope.</summary>
+    private const float SlopeReach = 0.8f, LeastSlope = 0.05f;
+
     /// <summary>How far back a wall may push a body that runs into it, metres.</summary>
     private const double Back = 0.3;
 
@@ -37,6 +41,9 @@ public sealed partial class MovementAuthority
     private const int BeliefsInSecondOpinion = 4;
 
     private const double Sure = 0.1;
+
+    /// <summary>A course that misses by no more was the player's, metres.</summary>
+    private const double Exact = 0.05;
 
     /// <summary>Second opinions had in a row, and how long it takes until one is there again, seconds: each costs a lot.</summary>
     private const double MostOpinions = 8, OpinionEvery = 2;
@@ -53,7 +60,7 @@ public sealed partial class MovementAuthority
         beliefs.BeginClaim();
         soft.Object.PassesChangedSince = engine.Now - options.MoversLag;
         foreach (ShadowBody shadow in shadows) shadow.MovedSince = engine.Now - options.MoversLag;
-        Approach nearest = new(double.PositiveInfinity, 0, 0, beliefs.First.Seat, false);
+        Approach nearest = new(double.PositiveInfinity, 0, 0, beliefs.First.Seat, false, false);
         RefillDoubts(now);
         Way way = new(to, available, elapsed, away / FastestSpeed, now);
         bool isSlow = true;
@@ -71,7 +78,7 @@ public sealed partial class MovementAuthority
 
         ClaimVerdict verdict = beliefs.ExplanationCount > 0
             ? Accept(to, stands, elapsed, available, now)
-            : Doubt(to, stands, elapsed, available, now) ?? Object(to, stands, nearest, isSlow, now);
+            : Doubt(way, stands) ?? DoubtNear(way, stands, nearest) ?? Object(to, stands, nearest, isSlow, now);
         weenie.SetStats(stats);
         return verdict;
     }
@@ -84,7 +91,8 @@ public sealed partial class MovementAuthority
         for (int round = 0; round < Guess.Rounds.Length; round++)
         {
             (Guess[] guesses, float enough) = Guess.Rounds[round];
-            int count = round < CheapRounds ? beliefs.Count : Math.Min(beliefs.Count, BeliefsInLaterRounds);
+            bool isOpen = round < CheapRounds && (round == 0 || beliefs.ExplanationCount == 0);
+            int count = isOpen ? beliefs.Count : Math.Min(beliefs.Count, BeliefsInLaterRounds);
             for (int i = 0; i < count; i++)
             {
                 foreach (Guess guess in guesses)
@@ -132,7 +140,7 @@ public sealed partial class MovementAuthority
 
         // A way that was only guessed at may have been another one, at most as fast as the straight one: that is a doubt.
         double time = approach.Time;
-        bool isCertain = round < CheapRounds && !guess.Toggles;
+        bool isCertain = round < CheapRounds && !guess.Toggles && approach.Miss <= Exact && !approach.Bounced;
         if (!isCertain && (time <= way.Available || doubts >= 1)) time = Math.Min(time, way.Shortest);
         if (time > way.Available) return false;
         double cost = CostOf(approach, way.Elapsed) + CostOf(guess, round, belief);
@@ -174,14 +182,16 @@ public sealed partial class MovementAuthority
     /// A claim that no course leads to is believed now and then: when one can go straight there, at most across where the body was going,
     /// in the time that there is, and no higher than it flies.
     /// </summary>
-    private ClaimVerdict? Doubt(in Position to, bool stands, double elapsed, double available, double now)
+    private ClaimVerdict? Doubt(in Way way, bool stands)
     {
         if (doubts < 1) return null;
+        Position to = way.To;
         ShadowBody body = beliefs.First;
         BodySeat begin = body.Seat;
-        Vector3 way = begin.Position.OffsetTo(to), across = way with { Z = 0 };
+        Vector3 gap = begin.Position.OffsetTo(to), across = gap with { Z = 0 };
         double time = across.Length() / TopSpeed;
-        if (time > available || Vector3.Dot(across, body.Going) < -Back * body.Going.Length()) return null;
+        bool bySlope = IsBySlope(begin.Position) || IsBySlope(to);
+        if (time > way.Available || !(bySlope || IsAhead(body, across, to))) return null;
         Contact? ground = stands ? FootingAt(to) : null;
         if (stands && ground is null) return null;
         Vector3 velocity = begin.Velocity;
@@ -190,18 +200,73 @@ public sealed partial class MovementAuthority
         {
             // As high as it is on its flight after the least time, or at the top of it when that comes later.
             double at = Math.Max(time, velocity.Z / -PhysicsBody.Gravity), rise = (velocity.Z * at) + (PhysicsBody.Gravity * at * at / 2);
-            if (way.Z > rise + options.Tolerance) return null;
+            bool isLow = gap.Z <= rise + options.Tolerance;
+            if (!isLow && !(bySlope && gap.Z <= HighestBySlope(begin))) return null;
         }
 
         Contact? contact = flies || !stands ? null : ContactOf(begin);
         if (!IsFree(begin.Position, to, contact) && (stands || !IsFreeAbove(begin.Position, to))) return null;
+        return Believe(way, ground, stands, time, velocity with { Z = (float)(velocity.Z + (PhysicsBody.Gravity * time)) });
+    }
+
+    /// <summary>
+    /// A claim beside a course that something has thrown back, or that has landed, is believed now and then as well: where that happens
+    /// small differences grow large. There must be a free way from the course to it, and it is hardly higher.
+    /// </summary>
+    private ClaimVerdict? DoubtNear(in Way way, bool stands, in Approach nearest)
+    {
+        if (doubts < 1 || !nearest.Bounced || nearest.Miss > options.CorrectWithin) return null;
+        BodySeat seat = nearest.Seat;
+        if (seat.Position.OffsetTo(way.To).Z > options.Tolerance) return null;
+        Contact? ground = stands ? FootingAt(way.To) : null;
+        if (stands && ground is null) return null;
+        if (Math.Min(nearest.Time, way.Shortest) > way.Available || !IsFree(seat.Position, way.To, null)) return null;
+        return Believe(way, ground, stands, Math.Min(nearest.Time, way.Shortest), seat.Velocity);
+    }
+
+    private ClaimVerdict Believe(in Way way, in Contact? ground, bool stands, double time, Vector3 velocity)
+    {
         doubts--;
-        Pay(time, elapsed, available, now);
-        double fall = velocity.Z + (PhysicsBody.Gravity * time);
-        beliefs.Guess(to, ground, stands
-            ? [Vector3.Zero]
-            : [velocity with { Z = (float)fall }, new Vector3(0, 0, (float)fall), Vector3.Zero, velocity]);
-        return new ClaimVerdict(ClaimOutcome.Accepted, ClaimReason.None, to, options.Tolerance);
+        Pay(time, way.Elapsed, way.Available, way.Now);
+        beliefs.Guess(way.To, ground, stands
+            ? [Vector3.Zero, new Vector3(0, 0, Beliefs.Hop)]
+            : [velocity, new Vector3(0, 0, velocity.Z), Vector3.Zero, beliefs.First.Seat.Velocity]);
+        return new ClaimVerdict(ClaimOutcome.Accepted, ClaimReason.None, way.To, options.Tolerance);
+    }
+
+    /// <summary>A way does not lead back: from where the body was going, or from where the keys lead it once it has landed.</summary>
+    private static bool IsAhead(ShadowBody body, Vector3 across, in Position to)
+    {
+        Vector3 going = body.Going, keys = body.Striding(body.Position), later = body.Striding(to);
+        return Leads(going) || (!body.OnWalkable && (Leads(keys) || Leads(later)));
+
+        bool Leads(Vector3 way) => Vector3.Dot(across, way) >= -Back * way.Length();
+    }
+
+    /// <summary>
+    /// How much higher a body gets that turns all its speed into height, as running or jumping at a slope does that is too steep to stand
+    /// on, metres.
+    /// </summary>
+    private double HighestBySlope(in BodySeat begin)
+    {
+        double speed = Math.Max(FastestSpeed, begin.Velocity.Length());
+        return speed * speed / (-2 * (double)PhysicsBody.Gravity);
+    }
+
+    /// <summary>A slope that is too steep to stand on is beside a place.</summary>
+    private bool IsBySlope(in Position place)
+    {
+        for (int i = 0; i < Sides; i++)
+        {
+            (double sine, double cosine) = Math.SinCos(i * 2 * Math.PI / Sides);
+            Position to = place;
+            to.Frame.Origin += SlopeReach * new Vector3((float)sine, (float)cosine, 0);
+            if (CellIds.IsOutdoor(to.CellId)) to.AdjustToOutside();
+            SweepResult met = query.Sweep(new SweepInput(soft, place, to));
+            if (met.CollisionNormal is { } normal && normal.Z is > LeastSlope and < RetailMath.FloorZ) return true;
+        }
+
+        return false;
     }
 
     /// <summary>Normal of the wall that the player would slide along next, or null.</summary>

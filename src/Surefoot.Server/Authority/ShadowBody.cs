@@ -224,6 +224,10 @@ internal sealed class ShadowBody
         }
     }
 
+    /// <summary>Where its motions alone would lead it if it were placed like that, m/s, world axes.</summary>
+    internal Vector3 Striding(in Position place) =>
+        place.Frame.LocalToGlobalVector(movement.Animation?.Sequence.Velocity ?? Vector3.Zero);
+
     /// <summary>It would walk if it went.</summary>
     internal bool Walks => movement.Interpreter.Raw.CurrentHoldKey != HoldKey.Run;
 

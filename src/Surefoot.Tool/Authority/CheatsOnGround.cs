@@ -98,8 +98,8 @@ internal sealed class ClippedCorner : Cheat
     {
         float side = dice.Is(0.5) ? 1 : -1;
         return dice.Is(0.5)
-            ? AuthorityWorld.PlaceOf("house-door", side * (float)dice.Roll(0.2, 0.7), 0.5f, turn: side * (float)dice.Roll(36, 44))
-            : AuthorityWorld.PlaceOf("close-blocks", -side * 2.5f, -6, turn: side * (float)dice.Roll(33, 37), up: -3);
+            ? AuthorityWorld.PlaceOf("house-door", side * (float)dice.Roll(-0.3, 0.2), 0.5f, turn: side * (float)dice.Roll(36, 44))
+            : AuthorityWorld.PlaceOf("close-blocks", -side * 3.3f, -6, turn: side * (float)dice.Roll(33, 37), up: -3);
     }
 
     internal override void Act(PlayedClient client, double time, double frame)
