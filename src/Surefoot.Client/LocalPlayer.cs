@@ -238,6 +238,7 @@ public sealed class LocalPlayer
         bool autonomous = physics.Autonomous != 0;
         Body.LastMoveWasAutonomous = autonomous;
         if (physics.Movement is { } movement) messages.Begin(movement, autonomous);
+        if (!autonomous) Controller.LoseControlToServer();
         Body.SetState((PhysicsState)physics.State);
         places.Begin(physics);
     }

@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Numerics;
+using System.Text.RegularExpressions;
 using Surefoot.Physics;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.Motion;
@@ -13,9 +14,9 @@ namespace Surefoot.Client.Tests.Peer;
 /// <content>Coming and going, refusals, corrections, and what the server thinks of a long walk.</content>
 public abstract partial class ServerSuite
 {
-    /// <summary>Minutes of an honest walk where the server's own sweep judges it; the environment may ask for more.</summary>
+    /// <summary>Minutes of an honest walk where the server's own sweep judges it; the environment may ask for others.</summary>
     private static double Minutes => double.TryParse(
-        Environment.GetEnvironmentVariable("SUREFOOT_ACE_MINUTES"), CultureInfo.InvariantCulture, out double minutes) ? minutes : 1;
+        Environment.GetEnvironmentVariable("SUREFOOT_ACE_MINUTES"), CultureInfo.InvariantCulture, out double minutes) ? minutes : 10;
 
     [Fact]
     [Behaviour("client.server.comes-back", "08, 3.5 and 3.6")]
@@ -103,8 +104,8 @@ public abstract partial class ServerSuite
     }
 
     [Fact]
-    [Behaviour("client.server.honest-walk", "08, 5.7: the server's own sweep")]
-    public void In_a_long_honest_walk_the_servers_own_sweep_fails_nowhere()
+    [Behaviour("client.server.honest-walk", "08, 5.7: the server's own sweep; 03, 4.3, find_transitional_position 5c")]
+    public void In_a_long_honest_walk_the_servers_own_sweep_fails_only_over_less_than_its_tolerance()
     {
         using Party party = new(server);
         OnlinePlayer player = party.Enter();
@@ -122,7 +123,7 @@ public abstract partial class ServerSuite
 
         party.Settle(player);
         AssertAgreed(player);
-        Assert.Empty(server.FailedTransitions(before) ?? []);
+        Assert.All(server.FailedTransitions(before) ?? [], line => Assert.True(IsTooShortToSweep(line), line));
         Assert.Equal(0, player.Player.UnreadableMessages);
         Assert.Equal(SessionState.InWorld, player.Session.State);
     }
@@ -174,6 +175,20 @@ public abstract partial class ServerSuite
         party.Wait(1);
         Assert.Equal(1u, party.Create(second, Party.NewName("N")));
     }
+
+    /// <summary>
+    /// A place within the tolerance of the one before, as where a turn on the spot ends: by retail's own rule a sweep whose first step is
+    /// shorter than that has failed.
+    /// </summary>
+    private static bool IsTooShortToSweep(string line)
+    {
+        float[][] places = [.. PlacePattern().Matches(line).Select(match => match.Groups[1].Value.Split(' ')
+            .Select(word => float.Parse(word, CultureInfo.InvariantCulture)).ToArray())];
+        return places is [[var x, var y, var z], [var u, var v, var w]] && new Vector3(x - u, y - v, z - w).Length() < 0.0002f;
+    }
+
+    [GeneratedRegex(@"\[(-?[\d.]+(?:E-?\d+)? -?[\d.]+(?:E-?\d+)? -?[\d.]+(?:E-?\d+)?)\]")]
+    private static partial Regex PlacePattern();
 
     private static SessionFailureKind Refused(Party party, OnlinePlayer player)
     {
