@@ -41,6 +41,11 @@ public sealed class OthersPageTests(Browser browser)
         await tab.Until($"{Apart}.length === 6 && Math.max(...{Apart}) > 0.8", "ghosts and delay are as they were");
         await tab.Page.Locator("#net-delay").FillAsync("0");
         await tab.Until($"{Apart}.length === 6 && Math.max(...{Apart}) < 0.3", "without delay they are seen where they are");
+        // With no delay to vary about, every other message is up to a second late.
+        await tab.Page.Locator("#net-jitter").FillAsync("1000");
+        Assert.Equal("± 1000 ms", await tab.Page.Locator("output[for=net-jitter]").InnerTextAsync());
+        await tab.Until("location.search.includes('net=0,1000,0')", "the address says so");
+        await tab.Until($"Math.max(...{Apart}) > 0.4", "who walks is seen late now and then");
         await tab.Page.Locator("#toggle-truth").ClickAsync();
         await tab.Until("window.surefoot.ghosts.length === 0", "the ghosts are gone");
         Assert.Empty(tab.Complaints);
@@ -73,18 +78,33 @@ public sealed class OthersPageTests(Browser browser)
         await card.GetByRole(AriaRole.Button, new() { Name = "Follow me" }).ClickAsync();
         Assert.False(await card.IsVisibleAsync());
         Assert.True((await tab.Read("window.surefoot.playing")).GetBoolean());
-        string away =
+        string Away() =>
             $"(() => {{ const one = window.surefoot.bodies.find((one) => one.body === {chosen}).position;" +
             " const me = window.surefoot.pose.position; return Math.hypot(one.x - me.x, one.y - me.y); })()";
-        await tab.Until($"{away} < 2.8", "it comes");
+        await tab.Until($"{Away()} < 2.8", "it comes");
 
-        // The keyboard alone chooses the nearest, which is the one that came.
+        // The keyboard alone chooses the nearest, which is the one that came. While it stands, nobody is followed.
         await page.Keyboard.PressAsync("x");
         Assert.Equal(chosen, await tab.Number("window.surefoot.creature"));
+        await card.GetByRole(AriaRole.Button, new() { Name = "Stand", Exact = true }).ClickAsync();
+        string place = $"(({{ x, y }}) => [x, y])(window.surefoot.bodies.find((one) => one.body === {chosen}).position)";
+        await tab.Until($"window.surefoot.bodies.find((one) => one.body === {chosen}).velocity.x === 0", "it stands");
+        JsonElement stood = await tab.Read(place);
+        await page.Keyboard.DownAsync("s");
+        await tab.Until($"{Away()} > 5", "the player goes away from it");
+        await page.Keyboard.UpAsync("s");
+        Assert.Equal(stood.ToString(), (await tab.Read(place)).ToString());
+        await page.Keyboard.DownAsync("w");
+        await tab.Until($"{Away()} < 2.5", "the player comes back");
+        await page.Keyboard.UpAsync("w");
+
+        // Another may have come nearer meanwhile.
+        await page.Keyboard.PressAsync("x");
+        chosen = (uint)await tab.Number("window.surefoot.creature");
         await Assertions.Expect(card.GetByRole(AriaRole.Button, new() { Name = "Follow me" })).ToBeFocusedAsync();
         await page.Keyboard.PressAsync("Tab");
         await page.Keyboard.PressAsync("Enter");
-        await tab.Until($"{away} > 10", "it flees");
+        await tab.Until($"{Away()} > 10", "it flees");
         // One of the others may walk just there at first, and is chosen then.
         for (int attempt = 0; attempt == 0 || (attempt < 20 && await card.IsVisibleAsync()); attempt++)
         {
