@@ -12,9 +12,9 @@ internal sealed class Retelling(IAudience audience)
 {
     private const double First = 0.1, Second = 0.3;
 
-    private Repeated<UpdateMotion> motion = new();
-    private Repeated<VectorUpdate> velocity = new();
-    private Repeated<UpdatePosition> place = new();
+    private Repeated<UpdateMotion> motion;
+    private Repeated<VectorUpdate> velocity;
+    private Repeated<UpdatePosition> place;
 
     /// <summary>A motion was told.</summary>
     internal void Note(in UpdateMotion message) => motion = new Repeated<UpdateMotion>(message);
@@ -34,24 +34,20 @@ internal sealed class Retelling(IAudience audience)
         place.Update(audience, now);
     }
 
-    private struct Repeated<T>(in T message)
+    /// <summary>A message that was told once, and how often since; none to begin with.</summary>
+    private struct Repeated<T>(T? message)
         where T : struct, IMessage<T>
     {
-        private readonly T message = message;
-        private readonly bool isTold = true;
         private double? since;
         private int times;
 
-        public Repeated()
-            : this(default) => isTold = false;
-
         public void Update(IAudience audience, double now)
         {
-            if (!isTold || times > 1) return;
+            if (message is not { } told || times > 1) return;
             since ??= now;
             if (now - since < (times == 0 ? First : Second)) return;
             times++;
-            audience.Tell(message);
+            audience.Tell(told);
         }
     }
 }
