@@ -12,6 +12,9 @@ internal sealed class FakeServer : IServerLink
     /// <summary>Bytes of what the client sent.</summary>
     internal List<byte[]> Sent { get; } = [];
 
+    /// <summary>It takes what the client sends and keeps nothing.</summary>
+    internal bool IsDeaf { get; set; }
+
     /// <summary>Objects that the client asked for.</summary>
     internal List<uint> Requested { get; } = [];
 
@@ -20,6 +23,7 @@ internal sealed class FakeServer : IServerLink
     public void Send<T>(in T action, double now)
         where T : IGameAction<T>
     {
+        if (IsDeaf) return;
         Assert.True(WireMessage.TryWrite(action, bytes, out int length, (uint)Sent.Count + 1));
         Sent.Add(bytes[..length]);
     }

@@ -167,6 +167,21 @@ public class GameClientTests(DemoFiles files) : IClassFixture<DemoFiles>
     }
 
     [Fact]
+    [Behaviour("client.game.allocates-nothing", "design, decision 4")]
+    public void A_player_among_others_who_walks_and_tells_its_place_allocates_nothing()
+    {
+        Fixture f = new(files);
+        f.Enter();
+        f.Say(new CreateObject(Fixture.Describe(Other, Fixture.At("meadow", Beside), Fixture.Stamps)));
+        f.Server.IsDeaf = true;
+        f.Frames(300, MovementKeys.Forward | MovementKeys.TurnRight);
+        f.Moves.Positions.EnsureCapacity(1000);
+        long before = GC.GetAllocatedBytesForCurrentThread();
+        f.Frames(200, MovementKeys.Forward | MovementKeys.TurnRight);
+        Assert.Equal(0, GC.GetAllocatedBytesForCurrentThread() - before);
+    }
+
+    [Fact]
     [Behaviour("client.game.damaged-never-throw", "design, decision 7")]
     public void No_damaged_message_throws_and_the_player_stays_somewhere()
     {

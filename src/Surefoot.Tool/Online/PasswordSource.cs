@@ -27,9 +27,11 @@ internal static class PasswordSource
         }
 
         if (Environment.GetEnvironmentVariable(Variable) is { Length: > 0 } set) return set;
-        if (Console.IsInputRedirected || !AnsiConsole.Profile.Capabilities.Interactive)
+        if (Console.IsInputRedirected || Console.IsErrorRedirected)
             throw new UsageException($"there is no password and nobody to ask: give --password-file FILE, or set {Variable}.");
-        return AnsiConsole.Prompt(new TextPrompt<string>($"Password of {Markup.Escape(account)}:").Secret(null).AllowEmpty());
+        // Asked for on the error stream: the other one is for results.
+        IAnsiConsole console = AnsiConsole.Create(new AnsiConsoleSettings { Out = new AnsiConsoleOutput(Console.Error) });
+        return console.Prompt(new TextPrompt<string>($"Password of {Markup.Escape(account)}:").Secret(null).AllowEmpty());
     }
 
     /// <summary>Who logs in.</summary>
