@@ -21,8 +21,11 @@ public sealed class WorldServer : IDisposable
 {
     private const int MostDatagramsPerPass = 1024, LongestDatagram = 2048;
 
-    /// <summary>How often sessions send what has been put together; seconds (specification 08, 8.4).</summary>
-    private const double SendInterval = 0.005;
+    /// <summary>So many sessions send in a pass of a loop of its own: what many have to send is spread over passes.</summary>
+    private const int MostSendersPerPass = 48;
+
+    /// <summary>For so long a pass takes what has arrived before it does the rest, seconds; what is left waits for the next one.</summary>
+    private const double LongestReceiving = 0.003;
 
     private const double LongestSleep = 0.01, AddUpInterval = 1;
 
@@ -30,8 +33,9 @@ public sealed class WorldServer : IDisposable
     private readonly ClientTable clients;
     private readonly ServerMeter meter;
     private readonly byte[] buffer = new byte[LongestDatagram];
-    private double sendsAt = double.NegativeInfinity, addsUpAt = double.NegativeInfinity;
+    private double addsUpAt = double.NegativeInfinity;
     private bool isClosed;
+    private volatile bool resetsSteps;
 
     /// <summary>Opens the ports.</summary>
     /// <param name="cache">The shapes; over an open folder of dat files, which stays the caller's.</param>
@@ -113,8 +117,8 @@ public sealed class WorldServer : IDisposable
     public Position? FindPlayer(string name) =>
         Stage.Players.FirstOrDefault(player => player.Name.Equals(name, StringComparison.OrdinalIgnoreCase))?.Authority.Position;
 
-    /// <summary>Forgets how long passes took until now.</summary>
-    public void ResetStepTimes() => Figures.Steps.Clear();
+    /// <summary>From the next pass on it is measured anew how long passes take. May be called on any thread.</summary>
+    public void ResetStepTimes() => resetsSteps = true;
 
     /// <summary>Ends all sessions, keeps the characters and closes the ports.</summary>
     public void Dispose()
@@ -147,17 +151,14 @@ public sealed class WorldServer : IDisposable
             // What arrives in a long pass did not arrive at its begin: a claim would seem to come too soon.
             if (clock is not null) Now = Math.Max(Now, clock());
             clients.Receive(datagram, from, port);
+            if (clock is not null && Stopwatch.GetElapsedTime(began).TotalSeconds > LongestReceiving) break;
         }
 
         Stage.Step(Now);
-        if (Now >= sendsAt)
-        {
-            sendsAt = Now + SendInterval;
-            foreach (ClientConnection client in clients.All) Lobby.Update(client);
-            clients.Update();
-        }
-
+        clients.Update(clock is null ? int.MaxValue : MostSendersPerPass);
         if (Now >= addsUpAt) AddUp();
+        if (resetsSteps) Figures.Steps.Clear();
+        resetsSteps = false;
         double took = Stopwatch.GetElapsedTime(began).TotalSeconds;
         Figures.Steps.Add(took);
         meter.Step(took);

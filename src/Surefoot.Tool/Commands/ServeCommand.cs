@@ -56,13 +56,29 @@ internal static class ServeCommand
         using LoadRun? clients = load == 0 ? null : new LoadRun(world, server.EndPoint, load, character);
         ServerReport report = new(server, clients);
         using ServerWatch? watch = stats ? new ServerWatch(report, json, parsed.GetValue(options.Every)) : null;
-        server.Run(ends.Token);
-        watch?.Dispose();
-        clients?.Dispose();
-        if (stats && json) Console.Out.WriteLine(report.ToJson());
+        Serve(server, () =>
+        {
+            // While everybody is still there.
+            watch?.Dispose();
+            clients?.End();
+            if (stats && json) Console.Out.WriteLine(report.ToJson());
+        }, ends.Token);
         if (clients is not { Failed: > 0 }) return ExitCode.Done;
         CommonOptions.Say($"{clients.Failed} clients failed; the first: {clients.FirstFailure}");
         return ExitCode.Failed;
+    }
+
+    /// <summary>Serves until somebody cancels; what is to be done before sessions are ended is done then.</summary>
+    private static void Serve(WorldServer server, Action atEnd, CancellationToken cancellation)
+    {
+        using CancellationTokenSource closes = new();
+        Task serving = Task.Factory.StartNew(
+            () => server.Run(closes.Token), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
+        while (!cancellation.IsCancellationRequested && !serving.IsCompleted)
+            WaitHandle.WaitAny([cancellation.WaitHandle, ((IAsyncResult)serving).AsyncWaitHandle]);
+        atEnd();
+        closes.Cancel();
+        serving.GetAwaiter().GetResult();
     }
 
     private static WorldServerOptions Read(ServeOptions options, ParseResult parsed, int load, bool stats)

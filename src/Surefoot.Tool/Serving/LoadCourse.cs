@@ -40,7 +40,7 @@ internal sealed class LoadCourse : IMovementObserver
             engine, PlayerId, human, MotionTableLoader.LoadFor(cache.Source, human), start, new LoopbackServer(PlayerId, stats, 0),
             new LocalPlayerOptions { Observer = course })
             ?? throw new InvalidDataException($"There is no room for a player at {start}.");
-        KeyScript keys = new(new Dice(seed));
+        LoadKeys keys = new(new Dice(seed));
         uint block = CellIds.BlockOf(start.CellId);
         for (; course.time < seconds + StandFor; course.time += Frame)
         {

@@ -33,6 +33,9 @@ internal sealed class LoadRun : IDisposable
         thread.Start();
     }
 
+    /// <summary>All of them are in the world, or were once.</summary>
+    internal bool IsComplete { get; private set; }
+
     /// <summary>Clients whose player is in the world.</summary>
     internal int InWorld { get; private set; }
 
@@ -51,10 +54,16 @@ internal sealed class LoadRun : IDisposable
     /// <summary>Why the first one failed; null while none has.</summary>
     internal string? FirstFailure { get; private set; }
 
-    public void Dispose()
+    /// <summary>They play no more; what was counted stays.</summary>
+    internal void End()
     {
         ends = true;
         thread.Join();
+    }
+
+    public void Dispose()
+    {
+        End();
         foreach (LoadClient? client in clients) client?.Dispose();
     }
 
@@ -99,6 +108,7 @@ internal sealed class LoadRun : IDisposable
             foreach (DropReason reason in Enum.GetValues<DropReason>()) dropped += client.Statistics.Dropped(reason);
         }
 
+        IsComplete |= inWorld + failed == clients.Length;
         (InWorld, Failed, Claims, Forced, Dropped) = (inWorld, failed, claims, forced, dropped);
     }
 

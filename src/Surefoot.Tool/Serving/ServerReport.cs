@@ -11,11 +11,14 @@ namespace Surefoot.Tool.Serving;
 /// <param name="load">Clients of our own; null without any.</param>
 internal sealed class ServerReport(WorldServer server, LoadRun? load)
 {
+    private bool hasBegun;
+
     private static readonly JsonSerializerOptions Json = new() { PropertyNamingPolicy = JsonNamingPolicy.CamelCase };
 
     /// <summary>One line of JSON.</summary>
     internal string ToJson()
     {
+        Begin();
         ServerFigures figures = server.Figures;
         return JsonSerializer.Serialize(
             new
@@ -65,6 +68,7 @@ internal sealed class ServerReport(WorldServer server, LoadRun? load)
     /// <summary>A table.</summary>
     internal Table ToTable()
     {
+        Begin();
         ServerFigures figures = server.Figures;
         Table table = new() { Border = TableBorder.Rounded, Title = new TableTitle($"{server.EndPoint}") };
         table.AddColumn("");
@@ -86,6 +90,14 @@ internal sealed class ServerReport(WorldServer server, LoadRun? load)
         return table;
 
         void Row(string name, string value, string rest) => table.AddRow(name, value, Markup.Escape(rest));
+    }
+
+    /// <summary>Logins, and code that runs for the first time, say little of how long steps take.</summary>
+    private void Begin()
+    {
+        if (hasBegun || load is not { IsComplete: true }) return;
+        hasBegun = true;
+        server.ResetStepTimes();
     }
 
     private static string Dropped(ServerFigures figures)

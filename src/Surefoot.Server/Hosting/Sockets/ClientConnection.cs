@@ -45,6 +45,9 @@ internal sealed class ClientConnection : IMessageReceiver, IDatagramSink
     /// <summary>Its player in the world, or on its way out.</summary>
     public PlayerItem? Player { get; set; }
 
+    /// <summary>When it sends next what has been put together, seconds.</summary>
+    public double SendsAt { get; set; } = double.NegativeInfinity;
+
     /// <summary>When its account hears a sign of life next while it selects a character, seconds.</summary>
     public double NextPing { get; set; }
 

@@ -13,6 +13,9 @@ internal sealed class ClientTable : IDisposable
     /// <summary>Refusals a second for which no session is made, of all addresses together.</summary>
     private const double RefusalsPerSecond = 50;
 
+    /// <summary>A little less than a frame of sixty a second, so that a caller's loop of that rate sends in every frame.</summary>
+    private const double SendInterval = 0.016;
+
     private readonly WorldServer server;
     private readonly IServerTransport transport;
     private readonly ClientConnection?[] slots;
@@ -20,6 +23,7 @@ internal sealed class ClientTable : IDisposable
     private readonly LoginGate gate;
     private readonly PasswordChecks checks;
     private double refusalsPaid;
+    private int nextSender = -1;
 
     public ClientTable(WorldServer server, IServerTransport transport, IAccounts accounts)
     {
@@ -45,13 +49,19 @@ internal sealed class ClientTable : IDisposable
         else server.Figures.ForeignDatagrams++;
     }
 
-    /// <summary>Checks that are over; then each session does what time asks for, and sends what it has.</summary>
-    public void Update()
+    /// <summary>Checks that are over; then sessions do what time asks for, and send what they have: each at most sixty times a
+    /// second.</summary>
+    /// <param name="most">How many of them; the others are next.</param>
+    public void Update(int most)
     {
         while (checks.TryTake(out ClientConnection client, out AccountVerdict verdict)) Judge(client, verdict);
-        foreach (ClientConnection? client in slots)
+        for (int i = 0; i < slots.Length && most > 0; i++)
         {
-            if (client is null) continue;
+            if (++nextSender >= slots.Length) nextSender = 0;
+            if (slots[nextSender] is not { } client || server.Now < client.SendsAt) continue;
+            most--;
+            client.SendsAt = server.Now + SendInterval;
+            server.Lobby.Update(client);
             client.Link.Update(server.Now);
             if (client.Link.State == ServerLinkState.Ended) End(client);
         }

@@ -13,7 +13,7 @@ internal sealed class Awareness(WorldStage stage, PlayerItem player)
 
     private readonly Dictionary<WorldItem, double> lostAt = [];
     private readonly List<WorldItem> lost = [];
-    private double nextLook;
+    private double nextLook, nextLoss = double.PositiveInfinity;
 
     /// <summary>Objects known.</summary>
     public int Count => lostAt.Count;
@@ -32,8 +32,14 @@ internal sealed class Awareness(WorldStage stage, PlayerItem player)
     public void Update(double now)
     {
         if (now >= nextLook) LookAround(now);
+        if (now < nextLoss) return;
+        nextLoss = double.PositiveInfinity;
         foreach ((WorldItem item, double at) in lostAt)
+        {
             if (now >= at) lost.Add(item);
+            else nextLoss = Math.Min(nextLoss, at);
+        }
+
         foreach (WorldItem item in lost) Forget(item);
         lost.Clear();
     }
@@ -47,6 +53,7 @@ internal sealed class Awareness(WorldStage stage, PlayerItem player)
         if (!System.Runtime.CompilerServices.Unsafe.IsNullRef(ref at))
         {
             at = isSeen ? double.PositiveInfinity : Math.Min(at, now + ForgottenAfter);
+            nextLoss = Math.Min(nextLoss, at);
             return;
         }
 
