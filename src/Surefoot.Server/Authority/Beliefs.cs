@@ -105,11 +105,11 @@ internal sealed class Beliefs
     }
 
     /// <summary>
-    /// A jump against a wall hangs on whether the body was sliding along that in its last quantum, which no message says: both are
+    /// A jump against a wall hangs on whether the body was sliding along that in its last quantum, which no message says: all of it is
     /// believed.
     /// </summary>
-    /// <param name="wall">Normal of the wall; null for none.</param>
-    internal void ForkByWall(Vector3? wall)
+    /// <param name="walls">Normals of the walls, on the level.</param>
+    internal void ForkByWalls(ReadOnlySpan<Vector3> walls)
     {
         int count = Count;
         for (int i = 0; i < count; i++)
@@ -117,8 +117,8 @@ internal sealed class Beliefs
             BodySeat seat = now[i].Body.Seat;
             if (seat.SlidingNormal != Vector3.Zero) Fork(i, seat with { Transient = seat.Transient ^ TransientState.Sliding });
             Fork(i, seat with { Transient = seat.Transient & ~TransientState.Sliding, SlidingNormal = Vector3.Zero });
-            if (wall is { } normal && (normal with { Z = 0 }) is var level && level.LengthSquared() > 0)
-                Fork(i, seat with { Transient = seat.Transient | TransientState.Sliding, SlidingNormal = Vector3.Normalize(level) });
+            foreach (Vector3 wall in walls)
+                Fork(i, seat with { Transient = seat.Transient | TransientState.Sliding, SlidingNormal = wall });
         }
     }
 

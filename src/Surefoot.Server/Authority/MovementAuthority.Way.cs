@@ -1,6 +1,5 @@
 using System.Numerics;
 using Surefoot.Physics.Bodies;
-using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.Queries;
 using Surefoot.Physics.World;
@@ -28,15 +27,6 @@ public sealed partial class MovementAuthority
     /// <summary>A message that took so much longer than the last one came late, seconds.</summary>
     private const double Late = 0.3;
 
-    /// <summary>How far ahead a wall is looked for, metres.</summary>
-    private const float WallReach = 0.3f;
-
-    /// <summary>How far beside a place a slope may be that has thrown a body there, metres, and what is no wall but a slope.</summary>
-    private const float SlopeReach = 0.8f, LeastSlope = 0.05f;
-
-    /// <summary>How far back a wall may push a body that runs into it, metres.</summary>
-    private const double Back = 0.3;
-
     /// <summary>The beliefs that a second opinion looks at, and how near is near enough for it, metres.</summary>
     private const int BeliefsInSecondOpinion = 4;
 
@@ -53,7 +43,8 @@ public sealed partial class MovementAuthority
     private ClaimVerdict JudgeWay(in Position to, bool stands, double now)
     {
         double available = Available(now), elapsed = Math.Max(0, now - lastTime), away = Position.HorizontalDistanceTo(to);
-        if (away > (TeleportFactor * TopSpeed * Math.Min(available, LongestCourse)) + TeleportLeast)
+        double fastest = FastestOn(Position.OffsetTo(to));
+        if (away > (TeleportFactor * fastest * Math.Min(available, LongestCourse)) + TeleportLeast)
             return Deny(ClaimReason.Teleport, now, away);
         if (engine.World.GetVisible(to.CellId) is null) return Deny(ClaimReason.NotLoaded, now, away);
 
@@ -62,7 +53,7 @@ public sealed partial class MovementAuthority
         foreach (ShadowBody shadow in shadows) shadow.MovedSince = engine.Now - options.MoversLag;
         Approach nearest = new(double.PositiveInfinity, 0, 0, beliefs.First.Seat, false, false);
         RefillDoubts(now);
-        Way way = new(to, available, elapsed, away / FastestSpeed, now);
+        Way way = new(to, available, elapsed, away / fastest, now);
         bool isSlow = true;
         for (int k = 0; k < (HasFormerStats(now) ? 2 : 1) && beliefs.ExplanationCount == 0; k++)
         {
@@ -178,123 +169,6 @@ public sealed partial class MovementAuthority
         return new ClaimVerdict(ClaimOutcome.Accepted, ClaimReason.None, to, (float)best.Miss);
     }
 
-    /// <summary>
-    /// A claim that no course leads to is believed now and then: when one can go straight there, at most across where the body was going,
-    /// in the time that there is, and no higher than it flies.
-    /// </summary>
-    private ClaimVerdict? Doubt(in Way way, bool stands)
-    {
-        if (doubts < 1) return null;
-        Position to = way.To;
-        ShadowBody body = beliefs.First;
-        BodySeat begin = body.Seat;
-        Vector3 gap = begin.Position.OffsetTo(to), across = gap with { Z = 0 };
-        double time = across.Length() / TopSpeed;
-        bool bySlope = IsBySlope(begin.Position) || IsBySlope(to);
-        if (time > way.Available || !(bySlope || IsAhead(body, across, to))) return null;
-        Contact? ground = stands ? FootingAt(to) : null;
-        if (stands && ground is null) return null;
-        Vector3 velocity = begin.Velocity;
-        bool flies = !body.OnWalkable;
-        if (flies || !stands)
-        {
-            // As high as it is on its flight after the least time, or at the top of it when that comes later.
-            double at = Math.Max(time, velocity.Z / -PhysicsBody.Gravity), rise = (velocity.Z * at) + (PhysicsBody.Gravity * at * at / 2);
-            bool isLow = gap.Z <= rise + options.Tolerance;
-            if (!isLow && !(bySlope && gap.Z <= HighestBySlope(begin))) return null;
-        }
-
-        Contact? contact = flies || !stands ? null : ContactOf(begin);
-        if (!IsFree(begin.Position, to, contact) && (stands || !IsFreeAbove(begin.Position, to))) return null;
-        return Believe(way, ground, stands, time, velocity with { Z = (float)(velocity.Z + (PhysicsBody.Gravity * time)) });
-    }
-
-    /// <summary>
-    /// A claim beside a course that something has thrown back, or that has landed, is believed now and then as well: where that happens
-    /// small differences grow large. There must be a free way from the course to it, and it is hardly higher.
-    /// </summary>
-    private ClaimVerdict? DoubtNear(in Way way, bool stands, in Approach nearest)
-    {
-        if (doubts < 1 || !nearest.Bounced || nearest.Miss > options.CorrectWithin) return null;
-        BodySeat seat = nearest.Seat;
-        if (seat.Position.OffsetTo(way.To).Z > options.Tolerance) return null;
-        Contact? ground = stands ? FootingAt(way.To) : null;
-        if (stands && ground is null) return null;
-        if (Math.Min(nearest.Time, way.Shortest) > way.Available || !IsFree(seat.Position, way.To, null)) return null;
-        return Believe(way, ground, stands, Math.Min(nearest.Time, way.Shortest), seat.Velocity);
-    }
-
-    private ClaimVerdict Believe(in Way way, in Contact? ground, bool stands, double time, Vector3 velocity)
-    {
-        doubts--;
-        Pay(time, way.Elapsed, way.Available, way.Now);
-        beliefs.Guess(way.To, ground, stands
-            ? [Vector3.Zero, new Vector3(0, 0, Beliefs.Hop)]
-            : [velocity, new Vector3(0, 0, velocity.Z), Vector3.Zero, beliefs.First.Seat.Velocity]);
-        return new ClaimVerdict(ClaimOutcome.Accepted, ClaimReason.None, way.To, options.Tolerance);
-    }
-
-    /// <summary>A way does not lead back: from where the body was going, or from where the keys lead it once it has landed.</summary>
-    private static bool IsAhead(ShadowBody body, Vector3 across, in Position to)
-    {
-        Vector3 going = body.Going, keys = body.Striding(body.Position), later = body.Striding(to);
-        return Leads(going) || (!body.OnWalkable && (Leads(keys) || Leads(later)));
-
-        bool Leads(Vector3 way) => Vector3.Dot(across, way) >= -Back * way.Length();
-    }
-
-    /// <summary>
-    /// How much higher a body gets that turns all its speed into height, as running or jumping at a slope does that is too steep to stand
-    /// on, metres.
-    /// </summary>
-    private double HighestBySlope(in BodySeat begin)
-    {
-        double speed = Math.Max(FastestSpeed, begin.Velocity.Length());
-        return speed * speed / (-2 * (double)PhysicsBody.Gravity);
-    }
-
-    /// <summary>A slope that is too steep to stand on is beside a place.</summary>
-    private bool IsBySlope(in Position place)
-    {
-        for (int i = 0; i < Sides; i++)
-        {
-            (double sine, double cosine) = Math.SinCos(i * 2 * Math.PI / Sides);
-            Position to = place;
-            to.Frame.Origin += SlopeReach * new Vector3((float)sine, (float)cosine, 0);
-            if (CellIds.IsOutdoor(to.CellId)) to.AdjustToOutside();
-            SweepResult met = query.Sweep(new SweepInput(soft, place, to));
-            if (met.CollisionNormal is { } normal && normal.Z is > LeastSlope and < RetailMath.FloorZ) return true;
-        }
-
-        return false;
-    }
-
-    /// <summary>Normal of the wall that the player would slide along next, or null.</summary>
-    private Vector3? WallAhead()
-    {
-        ShadowBody body = beliefs.First;
-        Vector3 way = body.Going with { Z = 0 };
-        if (way.LengthSquared() < WallReach) return null;
-        Position to = body.Position;
-        to.Frame.Origin += WallReach * Vector3.Normalize(way);
-        SweepResult ahead = query.Sweep(new SweepInput(soft, body.Position, to) { Contact = ContactOf(body.Seat) });
-        return ahead.SlidingNormal ?? (ahead.CollisionNormal is { } met && met.Z < WallReach ? met : null);
-    }
-
-    private bool IsFree(in Position begin, in Position to, in Contact? contact)
-    {
-        SweepResult way = query.Sweep(new SweepInput(soft, begin, to) { Contact = contact });
-        return way.Found && way.Position.DistanceTo(to) <= options.Tolerance;
-    }
-
-    /// <summary>First up, then across: a body that jumps against a wall rises along it.</summary>
-    private bool IsFreeAbove(in Position begin, in Position to)
-    {
-        Position above = begin;
-        above.Frame.Origin.Z = to.Frame.Origin.Z;
-        return IsFree(begin, above, null) && IsFree(above, to, null);
-    }
-
     private void RefillDoubts(double now)
     {
         double passed = Math.Max(0, now - doubtTime);
@@ -310,13 +184,22 @@ public sealed partial class MovementAuthority
         bool isFree = IsFree(begin.Position, to, hasFooting ? ContactOf(begin) : null);
         if (stands && !hasFooting && isFree) return Deny(ClaimReason.InTheAir, now, nearest.Miss);
         if (!isSlow) return Deny(ClaimReason.TooFast, now, nearest.Miss);
-        bool isHigh = !stands && nearest.Seat.Position.OffsetTo(to).Z > nearest.Miss / 2;
+        bool isHigh = !stands && (nearest.Seat.Position.OffsetTo(to).Z > nearest.Miss / 2 || (!OnWalkable && IsHigh(to)));
         ClaimReason reason = !isFree ? ClaimReason.ThroughWall : isHigh ? ClaimReason.TooHigh : ClaimReason.OffCourse;
         if (nearest.Miss > options.CorrectWithin) return Deny(reason, now, nearest.Miss);
         PassTime(now);
         beliefs.Collapse();
         beliefs.First.SeatAt(nearest.Seat);
         return new ClaimVerdict(ClaimOutcome.Corrected, reason, Position, (float)nearest.Miss);
+    }
+
+    private bool IsHigh(in Position to)
+    {
+        Vector3 gap = Position.OffsetTo(to);
+        double away = new Vector2(gap.X, gap.Y).Length();
+        for (int i = 0; i < beliefs.Count; i++)
+            if (gap.Z <= HighestOn(beliefs[i], away, bySlope: false) + options.Tolerance) return false;
+        return true;
     }
 
     private ClaimVerdict Deny(ClaimReason reason, double now, double miss)
@@ -356,6 +239,13 @@ public sealed partial class MovementAuthority
 
     /// <summary>That of who steps sideways while running.</summary>
     private double FastestSpeed => double.Hypot(TopSpeed, ShadowBody.FastestSidestep);
+
+    /// <summary>What nobody is faster than on a way: slopes turn a fall into speed.</summary>
+    private double FastestOn(Vector3 gap)
+    {
+        double speed = Math.Max(FastestSpeed, beliefs.First.Seat.Velocity.Length());
+        return Math.Sqrt((speed * speed) + Math.Max(0, 2 * (double)PhysicsBody.Gravity * gap.Z));
+    }
 
     private bool HasFormerStats(double now) => statsChanged + options.StatsGrace >= now;
 

@@ -192,7 +192,8 @@ public sealed partial class MovementAuthority
         ClaimReason reason = JudgeJump(claim.Extent, claim.Velocity, now);
         if (reason != ClaimReason.None) return Refuse(reason, now);
         for (int i = 0; i < beliefs.Count; i++) beliefs[i].Jump(claim.Extent, claim.Velocity);
-        beliefs.ForkByWall(WallAhead());
+        Span<Vector3> walls = stackalloc Vector3[Sides];
+        beliefs.ForkByWalls(walls[..FindWalls(walls)]);
         return Count(verdict);
     }
 
