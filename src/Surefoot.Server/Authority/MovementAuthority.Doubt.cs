@@ -22,7 +22,7 @@ public sealed partial class MovementAuthority
     private const double Back = 0.3;
 
     /// <summary>The share of a way by which something that throws a body back may lead it astray.</summary>
-    private const double ShareLedAstray = 0.1;
+    private const double ShareLedAstray = 0.2;
 
     /// <summary>
     /// A claim that no course leads to is believed now and then: when one can go straight there, at most across where the body was going,
