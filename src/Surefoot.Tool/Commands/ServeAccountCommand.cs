@@ -1,15 +1,12 @@
 using System.CommandLine;
-using Spectre.Console;
 using Surefoot.Server;
+using Surefoot.Tool.Online;
 
 namespace Surefoot.Tool.Commands;
 
 /// <summary><c>surefoot serve account</c>: writes the file of accounts.</summary>
 internal static class ServeAccountCommand
 {
-    /// <summary>Environment variable with the password, for those who cannot be asked.</summary>
-    private const string PasswordVariable = "SUREFOOT_PASSWORD";
-
     internal static Command Create()
     {
         Option<string> accounts = new("--accounts") { Description = "The file; made when missing.", Required = true };
@@ -18,7 +15,7 @@ internal static class ServeAccountCommand
         Option<FileInfo?> passwordFile = new("--password-file") { Description = "File whose first line is the password." };
         Command command = new("account",
             "Puts an account into a file of accounts, or gives it another password. The password comes from --password-file, the " +
-            $"environment variable {PasswordVariable}, or is asked for; the file keeps a salted hash of it.\n\n" +
+            $"environment variable {PasswordSource.Variable}, or is asked for; the file keeps a salted hash of it.\n\n" +
             "Example:\n  surefoot serve account --accounts accounts.json --account anna --admin")
         {
             accounts, name, administrator, passwordFile,
@@ -26,9 +23,10 @@ internal static class ServeAccountCommand
         command.SetAction(parsed =>
         {
             AccountFile file = AccountFile.ReadOrBegin(parsed.GetRequiredValue(accounts));
+            string account = parsed.GetRequiredValue(name), password = PasswordSource.Read(parsed.GetValue(passwordFile), account);
             try
             {
-                file.Set(parsed.GetRequiredValue(name), PasswordFrom(parsed.GetValue(passwordFile)), parsed.GetValue(administrator));
+                file.Set(account, password, parsed.GetValue(administrator));
             }
             catch (ArgumentException error)
             {
@@ -39,14 +37,5 @@ internal static class ServeAccountCommand
             return ExitCode.Done;
         });
         return command;
-    }
-
-    private static string PasswordFrom(FileInfo? file)
-    {
-        if (file is not null) return File.ReadLines(file.FullName).FirstOrDefault() ?? "";
-        if (Environment.GetEnvironmentVariable(PasswordVariable) is { Length: > 0 } password) return password;
-        if (!AnsiConsole.Profile.Capabilities.Interactive || Console.IsInputRedirected)
-            throw new UsageException($"There is nobody to ask for the password: use --password-file FILE or {PasswordVariable}.");
-        return AnsiConsole.Prompt(new TextPrompt<string>("Password:").Secret());
     }
 }

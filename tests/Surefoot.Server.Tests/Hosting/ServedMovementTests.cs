@@ -122,6 +122,21 @@ public sealed class ServedMovementTests(DemoGround ground) : IClassFixture<DemoG
     }
 
     [Fact]
+    [Behaviour("server.rooms", "spec/08, 8.7: in a closed indoor cell, of that cell and its visible-cell list")]
+    public void In_a_closed_room_those_are_known_who_are_in_a_room_that_is_seen_from_there()
+    {
+        Position room = DemoGround.At("dungeon"), hall = DemoGround.At("dungeon-pillars");
+        SimulatedHost host = new(ground, options => options with
+        {
+            Start = room, Spawns = [new WorldSpawn("far", WorldSpawnKind.Creature, DemoGround.HumanSetup, hall)],
+        });
+        TestClient one = host.Enter("One"), two = host.Enter("Two");
+        Assert.Contains(two.Id, one.Objects.Keys);
+        Assert.Contains(one.Id, two.Objects.Keys);
+        Assert.Contains(one.Objects.Values, item => item.Object.Weenie.Name == "far");
+    }
+
+    [Fact]
     [Behaviour("server.door.in-reach", "spec/08, 5.7 (Use, Door)")]
     public void A_door_in_reach_opens_and_closes_by_itself()
     {

@@ -101,6 +101,28 @@ public sealed class ServedNetworkTests(DemoGround ground) : IClassFixture<DemoGr
     }
 
     [Fact]
+    [Behaviour("server.network.forged-gap", "spec/08, 2.3 and 2.6")]
+    public void A_forged_packet_far_ahead_ends_nobodys_session()
+    {
+        SimulatedHost host = new(ground);
+        TestClient walker = host.Enter("Walker");
+        byte[] last = [];
+        walker.Sends = bytes => last = (BitConverter.ToUInt32(bytes, 4) & 0x2) != 0 ? bytes : last;
+        walker.Session.Send(new Talk("one"));
+        host.Run(0.2);
+        foreach (uint ahead in (uint[])[2, 255, 256, 257, 300, 4000, 5000, 0x7FFFFFFF, 0x80000000])
+        {
+            byte[] forged = [.. last];
+            BitConverter.TryWriteBytes(forged, BitConverter.ToUInt32(last, 0) + ahead);
+            host.SendAsStranger(forged, walker.Address);
+        }
+
+        host.Run(1);
+        walker.Session.Send(new Talk("two"));
+        Assert.True(host.RunUntil(() => walker.Texts.Contains("two"), 2));
+    }
+
+    [Fact]
     [Behaviour("server.shutdown", "spec/08, 3.5: error 4, going down")]
     public void A_server_that_goes_down_tells_its_clients_and_keeps_their_characters_in_its_file()
     {
