@@ -128,7 +128,8 @@ public sealed class ServedMovementTests(DemoGround ground) : IClassFixture<DemoG
         Position room = DemoGround.At("dungeon"), hall = DemoGround.At("dungeon-pillars");
         SimulatedHost host = new(ground, options => options with
         {
-            Start = room, Spawns = [new WorldSpawn("far", WorldSpawnKind.Creature, DemoGround.HumanSetup, hall)],
+            Start = room,
+            Spawns = [new WorldSpawn("far", WorldSpawnKind.Creature, DemoGround.HumanSetup, hall)],
         });
         TestClient one = host.Enter("One"), two = host.Enter("Two");
         Assert.Contains(two.Id, one.Objects.Keys);
