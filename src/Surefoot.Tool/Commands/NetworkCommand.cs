@@ -137,7 +137,8 @@ internal static class NetworkCommand
             $"{figures.StepsApart} more on the step where a placement at that report puts it, {figures.Blocked} within 20 cm where a " +
             $"sweep leads no nearer, together at most {figures.MostExcused}");
         Row("inside a solid", Text(figures.InSolid.Count, "0"),
-            $"of {figures.Judged} frames, by the test that puts bodies somewhere; never. {figures.WithoutFaces} of them touching no face");
+            $"of {figures.Judged} frames, by the test that puts bodies somewhere; never. {figures.Swept} more where a sweep led, " +
+            "touching no face");
         Row("off the path, mean", Text(figures.MeanOffPath, "0.000 m"), "from the nearest point of the last second");
         Row("off the path, p95", Text(figures.P95OffPath, "0.000 m"), $"under {Text(NetworkFigures.PathLimit, "0 m")}");
         Row("off the path, max", Text(figures.MaxOffPath, "0.000 m"), "");
@@ -170,7 +171,7 @@ internal static class NetworkCommand
             figures.Blocked,
             figures.MostExcused,
         },
-        InSolid = new { figures.Judged, Count = figures.InSolid.Count, figures.WithoutFaces, Places = figures.InSolid.Take(100) },
+        InSolid = new { figures.Judged, Count = figures.InSolid.Count, figures.Swept, Places = figures.InSolid.Take(100) },
         OffPath = new { Mean = figures.MeanOffPath, P95 = figures.P95OffPath, Max = figures.MaxOffPath },
         figures.Blips,
         figures.BlipsAnHour,

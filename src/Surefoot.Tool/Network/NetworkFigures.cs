@@ -11,10 +11,10 @@ namespace Surefoot.Tool.Network;
 /// </param>
 /// <param name="OffPath">Metres from the nearest point of the runner's path of the last second, one a frame, least first.</param>
 /// <param name="Judged">Frames in which retail's placement test was asked about where it was drawn.</param>
-/// <param name="InSolid">Where that test found it inside something, and whether it touched a face there.</param>
-/// <param name="WithoutFaces">
-/// How many of those were in a leaf that is marked solid, touching no face: the mark is asked only when a body is put somewhere.
+/// <param name="InSolid">
+/// Where that test found it inside something, touching a face or put there; see <see cref="SolidTest"/>.
 /// </param>
+/// <param name="Swept">How often it found it so where its own sweep led, touching no face.</param>
 /// <param name="Blips">How often it was put somewhere instead of going there.</param>
 /// <param name="PlacesReached">How often the runner got where its hands wanted it.</param>
 /// <param name="Jumps">How often it jumped.</param>
@@ -23,7 +23,7 @@ namespace Surefoot.Tool.Network;
 /// <param name="Resent">Packets that were sent again.</param>
 /// <param name="Seconds">How long it ran.</param>
 internal sealed record NetworkFigures(
-    int Frames, IReadOnlyList<RestDistance> AtRest, double[] OffPath, int Judged, IReadOnlyList<string> InSolid, int WithoutFaces,
+    int Frames, IReadOnlyList<RestDistance> AtRest, double[] OffPath, int Judged, IReadOnlyList<string> InSolid, int Swept,
     long Blips, int PlacesReached, int Jumps, double Climbed, long Messages, long Resent, double Seconds)
 {
     /// <summary>Retail's own tolerance, metres: a place so near counts as reached (specification 09, 3.2).</summary>

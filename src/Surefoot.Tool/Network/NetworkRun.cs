@@ -60,10 +60,9 @@ internal sealed class NetworkRun : IMovementObserver, IAudience, IMessageReceive
     private readonly RecentPath path = new();
     private readonly List<RestDistance> atRest = [];
     private readonly List<double> offPath = [];
-    private readonly List<string> inSolid = [];
     private double start, now, climbed, lastHeight;
-    private readonly FaceTest faces;
-    private int judged, jumps, withoutFaces;
+    private readonly SolidTest solids;
+    private int jumps;
     private long messages, claims, placedClaim, arrivedClaim;
     private ushort placedStamp;
     private (Position Place, double Arrived)? lastReport;
@@ -90,8 +89,8 @@ internal sealed class NetworkRun : IMovementObserver, IAudience, IMessageReceive
             far, new DatObjectAssets(simulation.Assets, movesHands: false),
             new RemoteWorldOptions { Player = OnlookerId, Commands = CommandTable.Retail });
         query = far.CreateQuery();
-        faces = new FaceTest(far.World);
         mover = new Mover(simulation.Human, weenie: WeenieTraits.Present | WeenieTraits.Creature | WeenieTraits.Player);
+        solids = new SolidTest(far, mover);
 
         session = new SimulatedSession(trial.Quality, (ulong)trial.Seed, now);
         broadcast = new PlayerBroadcast(RunnerId, WireOf(runner.Position), this, runner.Server.RunRate)
@@ -214,15 +213,7 @@ internal sealed class NetworkRun : IMovementObserver, IAudience, IMessageReceive
             lastReport = null;
         }
 
-        judged++;
-        if (!query.Place(new PlaceInput(mover, place, Slides: false)).Found)
-        {
-            bool touches = faces.Touches(drawn);
-            string how = touches ? "touching a face" : "in a leaf marked solid, touching no face";
-            inSolid.Add(FormattableString.Invariant($"{now - start:0.00} s at {place}, {how}"));
-            if (!touches) withoutFaces++;
-        }
-
+        solids.Judge(drawn, BlipsOf(drawn), now - start);
         if (onlooker.Position.DistanceTo(place) > Sight) onlooker.SetPositionSimple(place, sliding: true);
     }
 
@@ -236,12 +227,14 @@ internal sealed class NetworkRun : IMovementObserver, IAudience, IMessageReceive
             query.Sweep(drawn, told).Position.DistanceTo(told));
     }
 
+    private static long BlipsOf(PhysicsBody drawn) => SteeredPhysicsBody.Of(drawn).PositionManager?.Interpolation?.BlipCount ?? 0;
+
     private NetworkFigures Figures()
     {
         double[] sorted = [.. offPath.Order()];
-        PositionManager? manager = remote.Find(RunnerId)?.Body is { } drawn ? SteeredPhysicsBody.Of(drawn).PositionManager : null;
+        long blips = remote.Find(RunnerId)?.Body is { } drawn ? BlipsOf(drawn) : 0;
         return new NetworkFigures(
-            sorted.Length, atRest, sorted, judged, inSolid, withoutFaces, manager?.Interpolation?.BlipCount ?? 0, hands.Reached, jumps,
-            climbed, messages, session.ServerStatistics.Resent, now - start);
+            sorted.Length, atRest, sorted, solids.Judged, solids.InSolid, solids.Swept, blips, hands.Reached, jumps, climbed, messages,
+            session.ServerStatistics.Resent, now - start);
     }
 }

@@ -35,7 +35,9 @@ public class NetworkRunTests
         NetworkFigures run = Run(seed, minutes: 10);
         Assert.True(run.Resent > 0 && run.Jumps > 0 && run.Climbed > 6 && run.PlacesReached > 3, $"{run.Jumps} jumps, {run.Climbed} m");
         Assert.InRange(run.AtRest.Count, 5, 1000);
+        // On this way the placement test refuses it nowhere.
         Assert.Empty(run.InSolid);
+        Assert.Equal((run.Frames, 0), (run.Judged, run.Swept));
         Assert.InRange(run.WorstAtRest, 0, 0.05);
         Assert.InRange(run.P95OffPath, 0, 1);
         Assert.True(run.IsGood);
