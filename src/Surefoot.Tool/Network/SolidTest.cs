@@ -5,9 +5,10 @@ using Surefoot.Physics.Queries;
 namespace Surefoot.Tool.Network;
 
 /// <summary>
-/// Asks retail's placement test of a drawn body. The test minds leaves that are marked solid, which no sweep does: so players themselves come
-/// to places where they could not be put, on the edge of a stairwell as a rule (specification 04, 4.5 and 4.6). A body that the test refuses
-/// is where a player may be when it touches no face and its own sweep led there; one that touches a face or was put there is in a solid.
+/// Asks retail's placement test of a drawn body. The test minds leaves that are marked solid, which no sweep does: so players themselves
+/// come to places where they could not be put, on the edge of a stairwell as a rule (specification 04, 4.5 and 4.6). A body that the test
+/// refuses is where a player may be when it touches no face and its own sweep led there; one that touches a face or was put there is in a
+/// solid.
 /// </summary>
 /// <param name="world">The world of the drawn body.</param>
 /// <param name="mover">Its shape.</param>
