@@ -10,13 +10,13 @@ public sealed class AceGameServer : IGameServer, IAsyncLifetime
 
     public IPEndPoint Address => server.Address;
 
-    public string Dats => AceServer.Dats;
+    public string Dats => server.Dats;
 
     public string Administrator => "admin";
 
     public bool JumpsCostStamina => true;
 
-    public string[] FailedTransitions(int since) => AceServer.LogLines("failed transition")[since..];
+    public string[] FailedTransitions(int since) => server.LogLines("failed transition")[since..];
 
     public ValueTask InitializeAsync() => server.InitializeAsync();
 

@@ -8,27 +8,41 @@ namespace Surefoot.Protocol.Tests.Peer;
 /// stop.sh.</summary>
 public sealed class AceServer : IAsyncLifetime
 {
-    private static readonly string? Folder = Environment.GetEnvironmentVariable("SUREFOOT_ACE");
+    private const string Variable = "SUREFOOT_ACE";
 
+    private readonly string? folder;
     private int port;
     private FileStream? inUse;
 
+    /// <summary>The server in the folder that the environment names.</summary>
+    public AceServer()
+        : this(Unpacked)
+    {
+    }
+
+    /// <summary>A server in a folder.</summary>
+    /// <param name="folder">A copy of that folder; null where there is none.</param>
+    internal AceServer(string? folder) => this.folder = folder;
+
+    /// <summary>The folder of the unpacked server; null where there is none.</summary>
+    public static string? Unpacked => Environment.GetEnvironmentVariable(Variable) is { Length: > 0 } named ? named : null;
+
     /// <summary>The dat files of its world.</summary>
-    public static string Dats => Path.Combine(Folder!, "dats");
+    public string Dats => Path.Combine(folder!, "dats");
 
     /// <summary>Where it listens; skips the test that asks when there is no server.</summary>
     public IPEndPoint Address
     {
         get
         {
-            Assert.SkipWhen(string.IsNullOrEmpty(Folder), "No ACE server: SUREFOOT_ACE does not name the folder of an unpacked one.");
+            Assert.SkipWhen(folder is null, "No ACE server: SUREFOOT_ACE does not name the folder of an unpacked one.");
             return new IPEndPoint(IPAddress.Loopback, port);
         }
     }
 
     public async ValueTask InitializeAsync()
     {
-        if (string.IsNullOrEmpty(Folder))
+        if (folder is null)
             return;
         while ((inUse = TryTake()) is null)
             await Task.Delay(500);
@@ -37,16 +51,16 @@ public sealed class AceServer : IAsyncLifetime
     }
 
     /// <summary>Lines of its log that have come since a line number, and hold a text.</summary>
-    public static string[] LogLines(string text, int since = 0)
+    public string[] LogLines(string text, int since = 0)
     {
         using var log = new StreamReader(
-            new FileStream(Path.Combine(Folder!, "run", "server.log"), FileMode.Open, FileAccess.Read, FileShare.ReadWrite));
+            new FileStream(Path.Combine(folder!, "run", "server.log"), FileMode.Open, FileAccess.Read, FileShare.ReadWrite));
         return [.. log.ReadToEnd().Split('\n').Skip(since).Where(line => line.Contains(text, StringComparison.OrdinalIgnoreCase))];
     }
 
     public async ValueTask DisposeAsync()
     {
-        if (string.IsNullOrEmpty(Folder))
+        if (folder is null)
             return;
         await RunAsync("stop.sh");
         if (inUse is not null)
@@ -54,11 +68,11 @@ public sealed class AceServer : IAsyncLifetime
     }
 
     /// <summary>The folder serves one server: another assembly's tests may have theirs running.</summary>
-    private static FileStream? TryTake()
+    private FileStream? TryTake()
     {
         try
         {
-            return new FileStream(Path.Combine(Folder!, "tests.lock"), FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.None);
+            return new FileStream(Path.Combine(folder!, "tests.lock"), FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.None);
         }
         catch (IOException)
         {
@@ -66,10 +80,10 @@ public sealed class AceServer : IAsyncLifetime
         }
     }
 
-    private static async Task RunAsync(string script, params (string Name, string Value)[] settings)
+    private async Task RunAsync(string script, params (string Name, string Value)[] settings)
     {
         // What the script starts keeps its output open: none is read.
-        var start = new ProcessStartInfo("bash", [Path.Combine(Folder!, script)]) { UseShellExecute = false };
+        var start = new ProcessStartInfo("bash", [Path.Combine(folder!, script)]) { UseShellExecute = false };
         foreach ((string name, string value) in settings)
             start.Environment[name] = value;
         using Process process = Process.Start(start)!;
