@@ -2,7 +2,6 @@ using Surefoot.Dats;
 using Surefoot.DemoWorld;
 using Surefoot.Physics;
 using Surefoot.Physics.Assets;
-using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Geometry;
 using Surefoot.Physics.Motion;
 using Surefoot.Physics.World;
@@ -55,13 +54,8 @@ internal sealed class AuthorityWorld : IDisposable
         uint id = FirstSpawn;
         foreach (DemoSpawn spawn in DemoSpawns.All)
         {
-            bool door = spawn.Kind == DemoSpawnKind.Door;
-            PhysicsBody body = engine.CreateBody(
-                id++, Assets.GetSetup(spawn.SetupId), door ? PhysicsState.ReportCollisions : PhysicsState.Default,
-                door ? WeenieTraits.Present : WeenieTraits.Present | WeenieTraits.Creature);
-            Position place = new(spawn.CellId, new Frame(spawn.Origin, spawn.Orientation));
-            engine.World.EnsureLoadedAround(place, 0);
-            body.EnterWorld(place);
+            engine.World.EnsureLoadedAround(new Position(spawn.CellId, new Frame(spawn.Origin, spawn.Orientation)), 0);
+            DemoBodies.Spawn(engine, Assets, spawn, id++);
         }
 
         return engine;

@@ -4,8 +4,6 @@ using System.Text.Json;
 using Surefoot.DemoWorld;
 using Surefoot.Physics;
 using Surefoot.Physics.Assets;
-using Surefoot.Physics.Bodies;
-using Surefoot.Physics.Geometry;
 using Surefoot.Physics.World;
 using Surefoot.Server;
 
@@ -88,9 +86,7 @@ internal static class DemoArrowsCommand
         {
             if (spawn.Kind != DemoSpawnKind.Guard || simulation.World.FindLandblock(spawn.CellId) is null) continue;
             uint id = FirstSpawned + (uint)names.Count;
-            PhysicsBody body = simulation.Engine.CreateBody(
-                id, simulation.Assets.GetSetup(spawn.SetupId), weenie: WeenieTraits.Present | WeenieTraits.Creature);
-            body.EnterWorld(new Position(spawn.CellId, new Frame(spawn.Origin, spawn.Orientation)));
+            DemoBodies.Spawn(simulation.Engine, simulation.Assets, spawn, id);
             names[id] = spawn.Name;
         }
 
