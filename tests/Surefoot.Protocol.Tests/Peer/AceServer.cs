@@ -27,16 +27,25 @@ public sealed class AceServer : IAsyncLifetime
     /// <summary>The folder of the unpacked server; null where there is none.</summary>
     public static string? Unpacked => Environment.GetEnvironmentVariable(Variable) is { Length: > 0 } named ? named : null;
 
-    /// <summary>The dat files of its world.</summary>
-    public string Dats => Path.Combine(folder!, "dats");
+    /// <summary>The dat files of its world; skips the test that asks when there is no server.</summary>
+    public string Dats => Path.Combine(Present, "dats");
 
     /// <summary>Where it listens; skips the test that asks when there is no server.</summary>
     public IPEndPoint Address
     {
         get
         {
-            Assert.SkipWhen(folder is null, "No ACE server: SUREFOOT_ACE does not name the folder of an unpacked one.");
+            _ = Present;
             return new IPEndPoint(IPAddress.Loopback, port);
+        }
+    }
+
+    private string Present
+    {
+        get
+        {
+            Assert.SkipWhen(folder is null, "No ACE server: SUREFOOT_ACE does not name the folder of an unpacked one.");
+            return folder;
         }
     }
 
