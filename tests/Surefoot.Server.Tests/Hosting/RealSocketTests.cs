@@ -29,6 +29,19 @@ public sealed class RealSocketTests(DemoGround ground) : IClassFixture<DemoGroun
     }
 
     [Fact]
+    [Behaviour("server.sockets.bad-network", "spec/08, 2.6: 200 ± 100 ms, 10 % loss, 5 % duplication and reordering")]
+    public void A_client_enters_over_a_bad_network_between_real_sockets_and_hears_each_thing_it_says_once()
+    {
+        using Running server = new(ground);
+        using BadProxy proxy = new(server.EndPoint, new NetworkQuality(0.2, 0.1, 0.1, 0.05), seed: 3);
+        using Player walker = new(proxy.EndPoint, "walker");
+        walker.Enter();
+        for (int i = 0; i < 30; i++) walker.Session.Send(new Talk($"{i}"));
+        Assert.True(Player.Wait(() => walker.Texts.Count >= 30, walker));
+        Assert.Equal(Enumerable.Range(0, 30), walker.Texts.Select(int.Parse).Order());
+    }
+
+    [Fact]
     [Behaviour("server.sockets.taken", "design, decision 7")]
     public void A_port_that_is_taken_is_an_error_of_the_caller_and_leaves_none_open()
     {
@@ -87,6 +100,8 @@ public sealed class RealSocketTests(DemoGround ground) : IClassFixture<DemoGroun
 
         internal List<UpdateMotion> Motions { get; } = [];
 
+        internal List<string> Texts { get; } = [];
+
         internal static bool Wait(Func<bool> isSo, params Player[] players)
         {
             for (long began = Stopwatch.GetTimestamp(); !isSo() && Stopwatch.GetElapsedTime(began) < Patience; Thread.Sleep(5))
@@ -112,6 +127,7 @@ public sealed class RealSocketTests(DemoGround ground) : IClassFixture<DemoGroun
         {
             if (message.TryRead(out CreateObject create)) Objects[create.Object.Guid] = create;
             else if (message.TryRead(out UpdateMotion motion)) Motions.Add(motion);
+            else if (message.TryRead(out HearSpeech speech)) Texts.Add(speech.Text);
         }
 
         public void Dispose() => Session.Dispose();
