@@ -22,10 +22,10 @@ public sealed class WorldServer : IDisposable
     private const int MostDatagramsPerPass = 1024, LongestDatagram = 2048;
 
     /// <summary>So many sessions send in a pass of a loop of its own: what many have to send is spread over passes.</summary>
-    private const int MostSendersPerPass = 48;
+    private const int MostSendersPerPass = 32;
 
     /// <summary>For so long a pass takes what has arrived before it does the rest, seconds; what is left waits for the next one.</summary>
-    private const double LongestReceiving = 0.003;
+    private const double LongestReceiving = 0.002;
 
     private const double LongestSleep = 0.01, AddUpInterval = 1;
 

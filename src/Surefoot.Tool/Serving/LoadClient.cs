@@ -9,19 +9,31 @@ internal sealed class LoadClient : ISessionHandler, IDisposable
 {
     private const uint Hidden = 0x4000;
 
-    private readonly WorldSession session;
+    private readonly LoadSocket socket;
+    private readonly ClientSession session;
     private readonly LoadCourse course;
+    private readonly byte[] buffer;
     private readonly string name;
     private MovementStamps stamps;
     private double began = double.PositiveInfinity;
     private int next;
     private bool isAsked;
 
-    internal LoadClient(IPEndPoint server, LoadCourse course, string account, string name)
+    /// <summary>A client that asks for a session.</summary>
+    /// <param name="server">The server.</param>
+    /// <param name="course">What it plays.</param>
+    /// <param name="account">Its account, and its password.</param>
+    /// <param name="name">Its character.</param>
+    /// <param name="buffer">Memory for a datagram, shared by those of one thread.</param>
+    /// <param name="now">Seconds.</param>
+    internal LoadClient(IPEndPoint server, LoadCourse course, string account, string name, byte[] buffer, double now)
     {
+        this.buffer = buffer;
         this.course = course;
         this.name = name;
-        session = new WorldSession(server, new ClientSessionOptions { Account = account, Password = account, SilenceTimeout = 20 });
+        socket = new LoadSocket(server);
+        session = new ClientSession(new ClientSessionOptions { Account = account, Password = account, SilenceTimeout = 20 }, socket);
+        session.Connect(now);
     }
 
     /// <summary>Its player is in the world and has loaded it.</summary>
@@ -42,7 +54,8 @@ internal sealed class LoadClient : ISessionHandler, IDisposable
     /// <summary>Lets time pass.</summary>
     internal void Update(double now)
     {
-        session.Update(this);
+        for (int length; (length = socket.Receive(buffer)) > 0;) session.Receive(buffer.AsSpan(0, length), now, this);
+        session.Update(now, this);
         if (session.State == SessionState.CharacterSelect) Select();
         while (next < course.Messages.Count && now >= began + course.Messages[next].At) Tell(course.Messages[next++]);
         if (now >= began + course.Length) GoBack(now);
@@ -50,7 +63,11 @@ internal sealed class LoadClient : ISessionHandler, IDisposable
         session.Flush();
     }
 
-    public void Dispose() => session.Dispose();
+    public void Dispose()
+    {
+        session.Close();
+        socket.Dispose();
+    }
 
     void ISessionHandler.OnStateChanged(SessionState state)
     {

@@ -10,7 +10,7 @@ namespace Surefoot.Tool.Serving;
 internal sealed class LoadRun : IDisposable
 {
     private const double LoginEvery = 0.06, Frame = 0.015, CourseSeconds = 40;
-    private const int Courses = 8;
+    private const int Courses = 8, LongestDatagram = 2048;
 
     private readonly IPEndPoint server;
     private readonly LoadClient?[] clients;
@@ -69,6 +69,7 @@ internal sealed class LoadRun : IDisposable
 
     private void Run()
     {
+        byte[] buffer = new byte[LongestDatagram];
         long began = Stopwatch.GetTimestamp();
         double nextCount = 0;
         while (!ends)
@@ -77,7 +78,8 @@ internal sealed class LoadRun : IDisposable
             int due = (int)Math.Min(clients.Length, 1 + (now / LoginEvery));
             for (int i = 0; i < due; i++)
             {
-                clients[i] ??= new LoadClient(server, courses[i % courses.Count], $"load{i}", $"Load {Letters(i)}");
+                clients[i] ??= new LoadClient(
+                    server, courses[i % courses.Count], $"load{i}", $"Load {Letters(i)}", buffer, now);
                 clients[i]!.Update(now);
             }
 
