@@ -51,7 +51,11 @@ internal sealed class NetworkPlayer : IWorkbenchPlayer, IMovementObserver, ISess
         character = options.Character + Letters(suffix);
         waiting = default(PlayerPose) with
         {
-            Time = now, CellId = place.CellId, Position = place.Position, Yaw = place.Yaw, Flags = PoseFlags.Nowhere,
+            Time = now,
+            CellId = place.CellId,
+            Position = place.Position,
+            Yaw = place.Yaw,
+            Flags = PoseFlags.Nowhere,
         };
         session = new WorldSession(options.Server, options.Login with { Account = options.Login.Account + suffix }, clock);
         Say($"Logging in to {options.Server} as {options.Login.Account + suffix} ...");
