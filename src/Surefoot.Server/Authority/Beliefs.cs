@@ -164,27 +164,34 @@ internal sealed class Beliefs
         int count = 0;
         for (int i = 0; i < ExplanationCount; i++)
         {
-            Explanation one = explanations[i];
-            ShadowBody body = next[count].Body;
-            body.CopyFrom(now[one.Belief].Body, one.Guess.PassesMovers);
-            Course.Take(body, to, Math.Max(one.Approach.Time, Math.Min(elapsed, one.Approach.Until)), one.Guess, speed);
-            if (!body.HasCell) body.CopyFrom(now[one.Belief].Body, passesMovers: false);
-            bool lands = ground is not null && !body.OnWalkable;
-            if (lands) probe.CopyFrom(body, passesMovers: false);
-            for (Landing landing = Landing.Bounced; landing <= (lands ? Landing.Still : Landing.Bounced) && count < Most; landing++)
-            {
-                body = next[count].Body;
-                if (landing != Landing.Bounced) body.CopyFrom(probe, passesMovers: false);
-                body.Put(to, ground, landing);
-                next[count].Quantum = one.Guess.Quantum;
-                if (!IsKnown(body, count)) count++;
-            }
-
+            count = Settle(explanations[i], to, ground, elapsed, speed, whole: false, count);
+            if (ground is null && count < Most) count = Settle(explanations[i], to, ground, elapsed, speed, whole: true, count);
             if (count == Most) break;
         }
 
         if (ground is not null && explanations[0].Approach.IsTouchy) count = AddHop(count);
         (now, next, Count) = (next, now, count);
+    }
+
+    private int Settle(
+        in Explanation one, in Position to, in Contact? ground, double elapsed, double speed, bool whole, int count)
+    {
+        ShadowBody body = next[count].Body;
+        body.CopyFrom(now[one.Belief].Body, one.Guess.PassesMovers);
+        Course.Take(body, to, Math.Max(one.Approach.Time, Math.Min(elapsed, one.Approach.Until)), one.Guess, speed, whole);
+        if (!body.HasCell) body.CopyFrom(now[one.Belief].Body, passesMovers: false);
+        bool lands = ground is not null && !body.OnWalkable;
+        if (lands) probe.CopyFrom(body, passesMovers: false);
+        for (Landing landing = Landing.Bounced; landing <= (lands ? Landing.Still : Landing.Bounced) && count < Most; landing++)
+        {
+            body = next[count].Body;
+            if (landing != Landing.Bounced) body.CopyFrom(probe, passesMovers: false);
+            body.Put(to, ground, landing);
+            next[count].Quantum = one.Guess.Quantum;
+            if (!IsKnown(body, count)) count++;
+        }
+
+        return count;
     }
 
     /// <summary>Who stands there may just have landed, and hop once more: as fast as the keys want, whatever it was before.</summary>

@@ -102,10 +102,16 @@ internal sealed class Course(ShadowBody probe)
     /// A body takes a course itself for a time, in whole quanta on the ground: what is claimed is so between two of them. In the air its
     /// velocity follows from the time itself.
     /// </summary>
-    internal static void Take(ShadowBody body, in Position to, double seconds, in Guess guess, double speed)
+    /// <param name="body">The body.</param>
+    /// <param name="to">Where it is to be in the end.</param>
+    /// <param name="seconds">How long it takes.</param>
+    /// <param name="guess">What is not known of it.</param>
+    /// <param name="speed">About how fast it goes, m/s.</param>
+    /// <param name="whole">In whole quanta in the air as well: what it touches in the last one throws it back.</param>
+    internal static void Take(ShadowBody body, in Position to, double seconds, in Guess guess, double speed, bool whole = false)
     {
         Walk walk = Begin(body, to, guess, speed);
-        while (body.HasCell && seconds - walk.Time > guess.Quantum / (body.OnWalkable ? 2 : 1)) walk.Step(guess.Quantum);
+        while (body.HasCell && seconds - walk.Time > guess.Quantum / (whole || body.OnWalkable ? 2 : 1)) walk.Step(guess.Quantum);
         double rest = seconds - walk.Time;
         if (rest > 0 && body is { HasCell: true, OnWalkable: false }) body.Fall(rest);
     }
