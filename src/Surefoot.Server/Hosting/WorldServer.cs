@@ -25,7 +25,7 @@ public sealed class WorldServer : IDisposable
     private const int MostSendersPerPass = 32;
 
     /// <summary>For so long a pass takes what has arrived before it does the rest, seconds; what is left waits for the next one.</summary>
-    private const double LongestReceiving = 0.002;
+    private const double LongestReceiving = 0.004;
 
     private const double LongestSleep = 0.01, AddUpInterval = 1;
 
