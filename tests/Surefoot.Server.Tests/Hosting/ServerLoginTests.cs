@@ -80,7 +80,7 @@ public sealed class ServerLoginTests(DemoGround ground) : IClassFixture<DemoGrou
             Assert.True(host.RunUntil(
                 () =>
                 {
-                    Thread.Sleep(1);
+                    Thread.Sleep(20);
                     return stranger.Session.State == SessionState.Failed && anna.Session.State == SessionState.CharacterSelect;
                 },
                 14));

@@ -1,3 +1,5 @@
+using System.Net;
+using System.Net.Sockets;
 using System.Text.Json;
 
 namespace Surefoot.Tool.Tests.Commands;
@@ -60,15 +62,16 @@ public sealed class ServeTests : IDisposable
     [Fact, Behaviour("tool.serve.metrics", "design, the tool")]
     public async Task The_page_of_metrics_is_text_that_prometheus_reads()
     {
+        int port = FreePort();
         Task<CommandLine.Outcome> run = CommandLine.RunAsync(
-            "serve", "--port", "0", "--metrics", "9471", "--minutes", "0.2", "--quiet");
+            "serve", "--port", "0", "--metrics", $"{port}", "--minutes", "0.15", "--quiet");
         using HttpClient client = new();
         string page = "";
         while (!page.Contains("surefoot_server", StringComparison.Ordinal) && !run.IsCompleted)
         {
             try
             {
-                page = await client.GetStringAsync(new Uri("http://127.0.0.1:9471/metrics"));
+                page = await client.GetStringAsync(new Uri($"http://127.0.0.1:{port}/metrics"));
             }
             catch (HttpRequestException)
             {
@@ -79,5 +82,12 @@ public sealed class ServeTests : IDisposable
         Assert.Contains("step_bucket", page, StringComparison.Ordinal);
         Assert.Contains("claims_refused", page, StringComparison.Ordinal);
         Assert.Equal(0, (await run).ExitCode);
+    }
+
+    private static int FreePort()
+    {
+        using TcpListener listener = new(IPAddress.Loopback, 0);
+        listener.Start();
+        return ((IPEndPoint)listener.LocalEndpoint).Port;
     }
 }
