@@ -74,13 +74,17 @@ internal readonly record struct RestDistance(double Distance, double FromPut, do
 {
     private const double QuietLimit = 0.2;
 
+    /// <summary>A human's step, up or down to the next one, metres: nobody is a step apart who is farther away.</summary>
+    private const double StepLimit = 0.6;
+
     /// <summary>
     /// It stands exactly where it would have been put, and that is not the place told: who climbed a stair stands on the edge of the next
     /// step already, who is put there on the one below, as a placement takes the floor within the step-down height (specification 03, 4.9).
     /// Following a place right above does not lift who stands: the way is bent along the floor (03, 4.6), and a place that cannot be got
     /// nearer to ends in a placement (09, 3.2).
     /// </summary>
-    internal bool IsAStepApart => Distance > NetworkFigures.RestLimit && FromPut <= NetworkFigures.RestLimit;
+    internal bool IsAStepApart =>
+        Distance is > NetworkFigures.RestLimit and <= StepLimit && FromPut <= NetworkFigures.RestLimit;
 
     /// <summary>
     /// It cannot get nearer: who ran against a wall keeps the wall's normal for the next sweep, which is bent along it though there is a
