@@ -23,7 +23,7 @@ internal sealed class Beliefs
     private const int Most = 12;
 
     /// <summary>Most explanations kept of one kind: with and without the walk key, rising and falling.</summary>
-    private const int MostOfAKind = 3;
+    private const int MostOfAKind = 6;
 
     /// <summary>A speed upwards that lifts a body off the ground for its next quantum, m/s.</summary>
     internal const float Hop = 0.3f;
@@ -182,7 +182,8 @@ internal sealed class Beliefs
         if (!body.HasCell) body.CopyFrom(now[one.Belief].Body, passesMovers: false);
         bool lands = ground is not null && !body.OnWalkable;
         if (lands) probe.CopyFrom(body, passesMovers: false);
-        for (Landing landing = Landing.Bounced; landing <= (lands ? Landing.Still : Landing.Bounced) && count < Most; landing++)
+        Landing last = !lands ? Landing.Bounced : body.Seat.Velocity.Z > 0 ? Landing.Whole : Landing.Still;
+        for (Landing landing = Landing.Bounced; landing <= last && count < Most; landing++)
         {
             body = next[count].Body;
             if (landing != Landing.Bounced) body.CopyFrom(probe, passesMovers: false);

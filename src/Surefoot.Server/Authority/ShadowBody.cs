@@ -142,6 +142,7 @@ internal sealed class ShadowBody
     {
         Landing.Bounced => velocity - ((1 + body.Elasticity) * Vector3.Dot(velocity, normal) * normal),
         Landing.Level => velocity with { Z = 0 },
+        Landing.Whole => velocity,
         Landing.Along => velocity - (Vector3.Dot(velocity, normal) * normal),
         _ => Vector3.Zero,
     };
@@ -253,4 +254,7 @@ internal enum Landing
 
     /// <summary>Nothing.</summary>
     Still,
+
+    /// <summary>All: who jumps out of shallow water touches it for one more quantum.</summary>
+    Whole,
 }
