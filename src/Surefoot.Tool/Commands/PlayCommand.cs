@@ -56,7 +56,7 @@ internal static class PlayCommand
                 {
                     Server = ServerAddress.Find(address),
                     Login = isGuest
-                        ? new ClientSessionOptions { Account = Guest, Password = Guest }
+                        ? new ClientSessionOptions { Account = Guest, Password = Guest, SilenceTimeout = PasswordSource.Patience }
                         : PasswordSource.LogIn(name, parsed.GetValue(passwordFile), timeout: 30),
                     Character = parsed.GetValue(character) ?? char.ToUpperInvariant(name[0]) + name[1..],
                     Create = isGuest || parsed.GetValue(create),

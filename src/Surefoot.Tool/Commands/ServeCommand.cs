@@ -42,10 +42,14 @@ internal static class ServeCommand
         double minutes = parsed.GetValue(options.Minutes) ?? double.PositiveInfinity;
         if (!(minutes > 0)) throw new UsageException("--minutes is more than 0, for example --minutes 10.");
         bool stats = parsed.GetValue(options.Stats), json = parsed.GetValue(options.Json);
+        if (json && !stats) throw new UsageException("--json is for the figures of --stats: give both.");
+        if (!(parsed.GetValue(options.Every) >= 0)) throw new UsageException("--every is 0 or more seconds, for example --every 10.");
+        if (parsed.GetValue(options.Metrics) is < 1 or > IPEndPoint.MaxPort)
+            throw new UsageException("--metrics is a port from 1 to 65535, for example --metrics 9100.");
         WorldServerOptions wanted = Read(options, parsed, load, stats);
         using ServedWorld world = ServedWorld.Open(parsed.GetValue(options.Dats), parsed.GetValue(options.Start));
         using WorldServer server = Open(world, wanted with { Start = world.Start, Spawns = world.Spawns });
-        using MetricsPage? page = parsed.GetValue(options.Metrics) is { } port and > 0 ? new MetricsPage(port) : null;
+        using MetricsPage? page = parsed.GetValue(options.Metrics) is { } port ? new MetricsPage(port) : null;
         (json ? Console.Error : Console.Out).WriteLine(
             $"{Opened}: {server.EndPoint} and {server.EndPoint.Port + 1}" +
             (page is null ? "" : $", metrics at {page.Address}") + "  (Ctrl+C ends it)");

@@ -134,7 +134,7 @@ internal sealed class OnlineStay : ISessionHandler, IDisposable
 
         keys = MovementKeys.None;
         Player.Controller.SetAutoRun(false, Now);
-        Until(() => Player.Body.OnWalkable, Patience);
+        Until(() => Player.Body is { OnWalkable: true } body && body.Velocity == default, Patience);
         Wait(SettleTime);
     }
 

@@ -10,7 +10,7 @@ internal static class PasswordSource
     internal const string Variable = "SUREFOOT_PASSWORD";
 
     /// <summary>A server of the field says something every two seconds: so long a silence is its end, seconds.</summary>
-    private const double Patience = 9;
+    internal const double Patience = 9;
 
     /// <summary>Finds the password.</summary>
     /// <param name="file">A file whose first line it is; null for none.</param>

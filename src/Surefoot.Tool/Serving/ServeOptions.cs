@@ -21,7 +21,10 @@ internal sealed class ServeOptions
 
     internal Option<DirectoryInfo?> Dats { get; } = CommonOptions.Dats();
 
-    internal Option<string?> Start { get; } = new("--start") { Description = "Place of the demo world where new characters begin." };
+    internal Option<string?> Start { get; } = new("--start")
+    {
+        Description = "Where new characters begin: a place of the demo world by name, or a cell and metres, as in 0xA9B40001,12,12,0.",
+    };
 
     internal Option<string> Name { get; } = new("--name") { Description = "Name of the world.", DefaultValueFactory = _ => "Surefoot" };
 

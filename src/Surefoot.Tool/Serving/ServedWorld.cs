@@ -36,9 +36,8 @@ internal sealed class ServedWorld : IDisposable
     {
         NamedPlace first = DemoPlaces.All[0];
         Position place = start is null ? new Position(first.CellId, new Frame(first.Origin, first.Orientation)) : PlaceOf(start);
-        bool isDemo = folder is null || folder.FullName.StartsWith(DemoWorldCache.Root, StringComparison.Ordinal);
-        string path = folder?.FullName ?? DemoWorldCache.GetOrCreate(notice: CommonOptions.Say);
-        return new ServedWorld(path, place, isDemo ? DemoInhabitants() : []);
+        string demo = DemoWorldCache.GetOrCreate(notice: CommonOptions.Say), path = folder?.FullName ?? demo;
+        return new ServedWorld(path, place, HasSameLand(path, demo) ? DemoInhabitants() : []);
     }
 
     /// <summary>Whom and what the demo world has: its large creatures hunt.</summary>
@@ -58,8 +57,29 @@ internal sealed class ServedWorld : IDisposable
 
     public void Dispose() => dats.Dispose();
 
-    private static Position PlaceOf(string name) => DemoPlaces.TryFind(name, out NamedPlace place)
-        ? new Position(place.CellId, new Frame(place.Origin, place.Orientation))
-        : throw new UsageException(
-            $"--start: there is no place '{name}'. Similar: {string.Join(", ", DemoPlaces.Resembling(name))}.");
+    /// <summary>A folder that <c>surefoot demo write</c> has written is the demo world, too.</summary>
+    private static bool HasSameLand(string folder, string demo)
+    {
+        if (folder == demo) return true;
+        string cells = Path.Combine(folder, DatSet.CellName);
+        return File.Exists(cells) && new FileInfo(cells).Length == new FileInfo(Path.Combine(demo, DatSet.CellName)).Length
+            && File.ReadAllBytes(cells).AsSpan().SequenceEqual(File.ReadAllBytes(Path.Combine(demo, DatSet.CellName)));
+    }
+
+    private static Position PlaceOf(string text)
+    {
+        if (DemoPlaces.TryFind(text, out NamedPlace place)) return new Position(place.CellId, new Frame(place.Origin, place.Orientation));
+        if (!text.Contains(',', StringComparison.Ordinal))
+            throw new UsageException($"--start: there is no place '{text}'. Similar: {string.Join(", ", DemoPlaces.Resembling(text))}.");
+        try
+        {
+            Place found = Place.Parse(text);
+            if (found.OnGround) throw new UsageException($"--start {text}: the height is missing, as in 0xA9B40001,12,12,0.");
+            return found.Position;
+        }
+        catch (FormatException error)
+        {
+            throw new UsageException($"--start {error.Message}");
+        }
+    }
 }

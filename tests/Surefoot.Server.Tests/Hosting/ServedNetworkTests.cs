@@ -16,7 +16,7 @@ public sealed class ServedNetworkTests(DemoGround ground) : IClassFixture<DemoGr
     [Behaviour("server.network.bad", "spec/08, 2.6: 200 ± 100 ms, 10 % loss, 5 % duplication and reordering")]
     public void Over_a_bad_network_nothing_is_lost_or_applied_twice_and_both_ends_agree_when_the_player_stands()
     {
-        SimulatedHost host = new(ground, options => options with { Authority = null, Spawns = [] });
+        SimulatedHost host = new(ground, options => options with { Spawns = [] });
         TestClient walker = host.Enter("Walker", quality: Bad, seed: 5);
         using PlayedPlayer player = new(ground, walker);
         MovementKeys[] course =

@@ -66,6 +66,11 @@ public class CommandTests
     [InlineData("network", "--way", "long-stair", "two places or more")]
     [InlineData("network", "--way", "long-stair;platfrom", "platform")]
     [InlineData("sniff", "session.pcap", "--port", "70000", "65534")]
+    [InlineData("serve", "--metrics", "-5", "--metrics 9100")]
+    [InlineData("serve", "--json", "give both")]
+    [InlineData("serve", "--stats", "--every", "-1", "--every 10")]
+    [InlineData("serve", "--start", "0xA9B40001,12", "a cell and metres")]
+    [InlineData("serve", "--start", "medow", "meadow")]
     [InlineData("conform", "tests/data/vectors/walk-11.jsonl.gz", "--dats")]
     public async Task Wrong_usage_says_what_is_right_and_exits_with_two(params string[] commandAndHint)
     {

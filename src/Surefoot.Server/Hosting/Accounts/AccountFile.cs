@@ -50,15 +50,15 @@ public sealed class AccountFile : IAccounts
 
     /// <summary>Puts an account in, or gives it another password, and writes the file.</summary>
     /// <param name="account">Its name: 1 to 50 printable characters of ASCII. Upper and lower case are the same.</param>
-    /// <param name="password">Its password: 1 to 127 characters.</param>
+    /// <param name="password">Its password: 1 to 127 printable characters of ASCII, as clients can send.</param>
     /// <param name="administrator">It may give commands.</param>
     /// <exception cref="ArgumentException">Name or password is none; nothing has changed.</exception>
     /// <exception cref="IOException">The file cannot be written.</exception>
     public void Set(string account, string password, bool administrator)
     {
         if (!IsName(account)) throw new ArgumentException("An account name has 1 to 50 printable characters of ASCII.", nameof(account));
-        if (password.Length is 0 or > Surefoot.Protocol.Session.LoginRequest.MostPassword)
-            throw new ArgumentException("A password has 1 to 127 characters.", nameof(password));
+        if (password.Length is 0 or > Surefoot.Protocol.Session.LoginRequest.MostPassword || !password.All(IsPrintable))
+            throw new ArgumentException("A password has 1 to 127 printable characters of ASCII.", nameof(password));
         entries[Key(account)] = new Entry(Key(account), PasswordHash.Make(password, PasswordHash.FileRounds), administrator);
         string unfinished = $"{path}.{Guid.NewGuid():N}.tmp";
         File.WriteAllText(unfinished, JsonSerializer.Serialize(entries.Values.OrderBy(entry => entry.Name, StringComparer.Ordinal), Json));
@@ -78,7 +78,9 @@ public sealed class AccountFile : IAccounts
 
     internal static bool IsName(string? account) =>
         account is { Length: > 0 and <= Surefoot.Protocol.Session.LoginRequest.MostAccount } &&
-        account.All(letter => letter is >= ' ' and < '\x7F');
+        account.All(IsPrintable);
+
+    private static bool IsPrintable(char letter) => letter is >= ' ' and < '\x7F';
 
     private sealed record Entry(string Name, string Hash, bool Administrator);
 }
