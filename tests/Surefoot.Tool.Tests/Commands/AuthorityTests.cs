@@ -27,7 +27,7 @@ public class AuthorityTests
     public async Task No_honest_player_is_refused_and_every_cheat_is_caught_for_what_it_is(int seed) =>
         await PlayAsync(seed, mostRefused: 0);
 
-    /// <summary>In fifty-one hours two honest jumps were objected to, in four claims (docs/authority.md): one such jump may be met.</summary>
+    /// <summary>In fifty-one hours two honest jumps were objected to, in four claims (docs/authority.md): one may be met.</summary>
     [Fact]
     [Behaviour("authority.honest.any-seed", "docs/authority.md: whatever the seed, one incident at most in a fifth of an hour")]
     public async Task A_seed_drawn_at_random_meets_one_incident_at_most_and_catches_every_cheat() =>
