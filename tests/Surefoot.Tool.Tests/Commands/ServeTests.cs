@@ -67,7 +67,7 @@ public sealed class ServeTests : IDisposable
             "serve", "--port", "0", "--metrics", $"{port}", "--minutes", "0.15", "--quiet");
         using HttpClient client = new();
         string page = "";
-        while (!page.Contains("surefoot_server", StringComparison.Ordinal) && !run.IsCompleted)
+        while (!page.Contains("step_bucket", StringComparison.Ordinal) && !run.IsCompleted)
         {
             try
             {
