@@ -1,4 +1,3 @@
-using System.Buffers;
 using System.Text;
 using Surefoot.Dats;
 using Surefoot.Dats.Records;
@@ -22,31 +21,21 @@ internal static class CharacterCreation
     /// <param name="beginning">Where characters begin.</param>
     public static IEnumerable<DatRecord> All(NamedPlace beginning)
     {
-        yield return Raw(DatRecordType.CharGen, 0x0E000002, writer => WriteTable(writer, beginning));
-        yield return Raw(DatRecordType.Palette, Palette, writer =>
+        yield return RawRecords.Of(DatRecordType.CharGen, 0x0E000002, writer => WriteTable(writer, beginning));
+        yield return RawRecords.Of(DatRecordType.Palette, Palette, writer =>
         {
-            writer.WriteUInt32(Palette);
             writer.WriteUInt32(1);
             writer.WriteColor(new(0xD9, 0xA8, 0x83, 0xFF));
         });
-        yield return Raw(DatRecordType.PaletteSet, PaletteSet, writer =>
+        yield return RawRecords.Of(DatRecordType.PaletteSet, PaletteSet, writer =>
         {
-            writer.WriteUInt32(PaletteSet);
             writer.WriteUInt32(1);
             writer.WriteUInt32(Palette);
         });
-    }
-
-    private static RawRecord Raw(DatRecordType type, uint id, Action<DatWriter> write)
-    {
-        var writer = new DatWriter();
-        write(writer);
-        return RawRecord.FromBytes(id, type, new ReadOnlySequence<byte>(writer.ToArray()));
     }
 
     private static void WriteTable(DatWriter writer, NamedPlace beginning)
     {
-        writer.WriteUInt32(0x0E000002);
         writer.WriteUInt32(0x0E000002);
         Count(writer, 1);
         WriteText(writer, beginning.Title);

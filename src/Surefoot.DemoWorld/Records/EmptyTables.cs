@@ -1,4 +1,3 @@
-using System.Buffers;
 using Surefoot.Dats;
 using Surefoot.Dats.Records;
 
@@ -34,10 +33,5 @@ internal static class EmptyTables
     public static IEnumerable<DatRecord> Local() => [Table(DatRecordType.StringTable, 0x2300000E, NoTexts)];
 
     private static RawRecord Table(DatRecordType type, uint id, byte[] content)
-    {
-        var writer = new DatWriter();
-        writer.WriteUInt32(id);
-        writer.WriteBytes(content);
-        return RawRecord.FromBytes(id, type, new ReadOnlySequence<byte>(writer.ToArray()));
-    }
+        => RawRecords.Of(type, id, writer => writer.WriteBytes(content));
 }

@@ -15,9 +15,6 @@ namespace Surefoot.Workbench.Simulation;
 /// <param name="region">Their region.</param>
 internal sealed class LandView(DatSet dats, PhysicsDataCache cache, RegionAsset region)
 {
-    /// <summary>How far from a player moving parts are shown to it, metres.</summary>
-    private const double ShownWithin = 160;
-
     /// <summary>Those places that can be gone to, on the ground where they name no height; somewhere else where there is none.</summary>
     /// <exception cref="DatFolderException">There is no landblock that can be read.</exception>
     public IReadOnlyList<WorkbenchPlace> PlacesOf(IEnumerable<WorkbenchPlace> places)
@@ -72,13 +69,17 @@ internal sealed class LandView(DatSet dats, PhysicsDataCache cache, RegionAsset 
             for (int i = 0; i < block.AnimatedStatics.Count; i++)
             {
                 Physics.World.StaticObject item = block.AnimatedStatics[i];
-                if (!ShapeCollector.MovesSolidParts(item) || item.Position.DistanceTo(from) > ShownWithin) continue;
+                if (!ShapeCollector.MovesSolidParts(item) || item.Position.DistanceTo(from) > Sight.ShownWithin) continue;
                 foreach (SolidPart part in SolidParts.Of(item))
                     near.Add(new MovingPart((ushort)(block.Id >> 16), (ushort)i, (ushort)part.Index, part.Frame.Origin, part.Frame.Rotation,
                         part.Scale));
             }
         }
     }
+
+    /// <summary>Is a cell a room from which the land is not seen?</summary>
+    public static bool IsEnclosed(PhysicsWorld land, uint cellId) =>
+        land.GetVisible(cellId) is Physics.World.EnvCell { SeenOutside: false };
 
     private PhysicsWorld NewWorld() => new PhysicsEngine(cache, new PhysicsEngineOptions { Region = region }).World;
 

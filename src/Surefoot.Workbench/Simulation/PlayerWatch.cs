@@ -1,4 +1,3 @@
-using System.Numerics;
 using Surefoot.Client;
 using Surefoot.Physics.Bodies;
 using Surefoot.Physics.Decisions;
@@ -70,7 +69,7 @@ internal sealed class PlayerWatch(
             position.CellId,
             position.Frame.Origin,
             PlayerPose.YawOf(position),
-            body.IsActive ? body.AchievedVelocity : Vector3.Zero,
+            Sight.VelocityOf(body),
             speed.At(time, position),
             FlagsOf(body, movement),
             body.HasContact ? body.ContactPlane : default,
@@ -90,10 +89,7 @@ internal sealed class PlayerWatch(
 
     private PoseFlags FlagsOf(PhysicsBody body, MovementManager movement)
     {
-        PoseFlags flags = PoseFlags.None;
-        if (body.HasContact) flags |= PoseFlags.Contact;
-        if (body.OnWalkable) flags |= PoseFlags.OnWalkable;
-        if (body.HasContact && body.Transient.HasFlag(TransientState.WaterContact)) flags |= PoseFlags.InWater;
+        PoseFlags flags = Sight.FlagsOf(body);
         if (player.Controller.IsChargingJump) flags |= PoseFlags.Charging;
         if (movement.StandingLongJump) flags |= PoseFlags.StandingLongJump;
         if (!body.HasCell) flags |= PoseFlags.Nowhere;

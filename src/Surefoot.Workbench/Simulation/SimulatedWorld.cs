@@ -173,7 +173,7 @@ internal sealed partial class SimulatedWorld : IWorkbenchWorld
     internal void UseDoor(SimulatedPlayer player, double now) => inhabitants.UseDoor(player.Player.Body.Position, now);
 
     /// <summary>Is a cell a room from which the land is not seen?</summary>
-    internal bool IsEnclosed(uint cellId) => land.GetVisible(cellId) is Physics.World.EnvCell { SeenOutside: false };
+    internal bool IsEnclosed(uint cellId) => LandView.IsEnclosed(land, cellId);
 
     /// <summary>Loads what a player in this cell may reach; before it is put there.</summary>
     internal void LoadAround(uint cellId, int radius)

@@ -6,7 +6,6 @@ using Surefoot.Dats;
 using Surefoot.DemoWorld;
 using Surefoot.Physics.Assets;
 using Surefoot.Physics.World;
-using Surefoot.Protocol;
 using Surefoot.Protocol.Messages;
 using Surefoot.Protocol.Session;
 using Surefoot.Tool.Walking;
@@ -101,20 +100,7 @@ internal sealed class Party(IGameServer server) : IDisposable
     /// <returns>What the server answers: 1 when it was made.</returns>
     internal uint Create(OnlinePlayer player, string name)
     {
-        uint[] skills = new uint[CharacterCreate.SkillCount];
-        foreach (int untrained in (int[])[6, 7, 14, 15, 19, 20, 21, 27]) skills[untrained] = 1;
-        skills[22] = skills[24] = 2;
-        player.Session.CreateCharacter(new CharacterCreate
-        {
-            Name = name,
-            Strength = 60,
-            Endurance = 60,
-            Coordination = 60,
-            Quickness = 60,
-            Focus = 45,
-            Self = 45,
-            Skills = ValueList.Create<uint>(skills),
-        });
+        player.Session.CreateCharacter(NewCharacter.Named(name));
         Assert.True(Until(() => player.Session.Creation is not null), "no answer to the creation");
         return player.Session.Creation!.Value.Result;
     }

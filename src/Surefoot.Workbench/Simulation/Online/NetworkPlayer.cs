@@ -267,8 +267,7 @@ internal sealed class NetworkPlayer : IWorkbenchPlayer, IMovementObserver, ISess
         player.Controller.MouseTurning.Inverted = true;
         player.Controller.MouseTurning.Sensitivity = SimulatedPlayer.PointerSensitivity;
         GameClient game = Game!;
-        return new PlayerWatch(player, trace, id => NameOf(game, id), cell =>
-            game.Engine.World.GetVisible(cell) is Physics.World.EnvCell { SeenOutside: false });
+        return new PlayerWatch(player, trace, id => NameOf(game, id), cell => LandView.IsEnclosed(game.Engine.World, cell));
     }
 
     /// <summary>The player stands somewhere where it did not walk to.</summary>

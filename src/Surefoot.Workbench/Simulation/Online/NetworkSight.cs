@@ -8,9 +8,6 @@ namespace Surefoot.Workbench.Simulation;
 /// <summary>Reads off a client's world what its page is to draw.</summary>
 internal static class NetworkSight
 {
-    /// <summary>How far from a player bodies are shown to it, metres.</summary>
-    private const double ShownWithin = 160;
-
     /// <summary>How far a player reaches for a door: a server has it walk there, metres.</summary>
     private const double Reach = 15;
 
@@ -26,7 +23,7 @@ internal static class NetworkSight
         foreach (RemoteBody one in game.Others.Objects)
         {
             PhysicsBody body = one.Body;
-            if (!IsShown(body) || (body.Weenie & WeenieTraits.Player) != 0 || body.Position.DistanceTo(from) > ShownWithin) continue;
+            if (!IsShown(body) || (body.Weenie & WeenieTraits.Player) != 0 || body.Position.DistanceTo(from) > Sight.ShownWithin) continue;
             Position place = body.Position;
             bool isDoor = IsDoor(one);
             Vector3 size = body.Setup is { } shape ? ShapeSize.Of(shape, body.Scale) : Vector3.Zero;
@@ -35,7 +32,7 @@ internal static class NetworkSight
             if (!isDoor && !body.HasContact) flags |= BodyFlags.Airborne;
             near.Add(new BodyPose(
                 body.Id, isDoor ? BodyKind.Door : BodyKind.Wanderer, flags, one.Weenie.Name, place.CellId, place.Frame.Origin,
-                PlayerPose.YawOf(place), VelocityOf(body), body.Scale, size));
+                PlayerPose.YawOf(place), Sight.VelocityOf(body), body.Scale, size));
         }
 
         near.Sort((a, b) => a.Id.CompareTo(b.Id));
@@ -62,6 +59,4 @@ internal static class NetworkSight
 
     private static bool IsShown(PhysicsBody body) =>
         body is { HasCell: true, Parent: null } && (body.State & (PhysicsState.Hidden | PhysicsState.NoDraw)) == 0;
-
-    private static Vector3 VelocityOf(PhysicsBody body) => body.IsActive ? body.AchievedVelocity : Vector3.Zero;
 }

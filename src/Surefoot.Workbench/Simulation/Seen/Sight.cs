@@ -9,7 +9,7 @@ namespace Surefoot.Workbench.Simulation;
 internal static class Sight
 {
     /// <summary>How far from a player bodies are shown to it, metres.</summary>
-    private const double ShownWithin = 160;
+    internal const double ShownWithin = 160;
 
     /// <summary>Lists the bodies that are no players: creatures as the page sees them, doors as they are.</summary>
     public static void Bodies(SimulatedPlayer player, IReadOnlyList<Inhabitant> inhabitants, List<BodyPose> near)
@@ -48,10 +48,6 @@ internal static class Sight
     /// <param name="leaps">How often it was not moved but put somewhere else, modulo 256.</param>
     public static PlayerPose PoseOf(PhysicsBody body, in MotionSummary motions, byte leaps)
     {
-        PoseFlags flags = PoseFlags.None;
-        if (body.HasContact) flags |= PoseFlags.Contact;
-        if (body.OnWalkable) flags |= PoseFlags.OnWalkable;
-        if (body.HasContact && body.Transient.HasFlag(TransientState.WaterContact)) flags |= PoseFlags.InWater;
         Position place = body.Position;
         Vector3 velocity = VelocityOf(body);
         return new PlayerPose(
@@ -61,7 +57,7 @@ internal static class Sight
             PlayerPose.YawOf(place),
             velocity,
             new Vector2(velocity.X, velocity.Y).Length(),
-            flags,
+            FlagsOf(body),
             body.HasContact ? body.ContactPlane : default,
             0,
             body.LastQuantum,
@@ -88,5 +84,16 @@ internal static class Sight
         }
     }
 
-    private static Vector3 VelocityOf(PhysicsBody body) => body.IsActive ? body.AchievedVelocity : Vector3.Zero;
+    /// <summary>What it stands on, or touches.</summary>
+    internal static PoseFlags FlagsOf(PhysicsBody body)
+    {
+        PoseFlags flags = PoseFlags.None;
+        if (body.HasContact) flags |= PoseFlags.Contact;
+        if (body.OnWalkable) flags |= PoseFlags.OnWalkable;
+        if (body.HasContact && body.Transient.HasFlag(TransientState.WaterContact)) flags |= PoseFlags.InWater;
+        return flags;
+    }
+
+    /// <summary>How fast it went in the last tick, metres a second.</summary>
+    internal static Vector3 VelocityOf(PhysicsBody body) => body.IsActive ? body.AchievedVelocity : Vector3.Zero;
 }
